@@ -1,0 +1,2 @@
+//! The command `brt`.
+fn main() {}

@@ -1,0 +1,66 @@
+//! The plane of a polygon given by its points.
+
+use crate::{POLYGON_FLATNESS, Vec3};
+
+/// The plane that fits a polygon's outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolygonPlane {
+    /// Unit normal: the side from which the outline runs counter-clockwise.
+    pub normal: Vec3,
+    /// Mean of the outline's points.
+    pub center: Vec3,
+    /// Greatest distance of a point of the outline from the centre.
+    pub size: f64,
+}
+
+/// The plane of an outline by Newell's method; `None` where it has no area.
+///
+/// Newell's formula (Sutherland, Sproull, Schumacker 1974) stands for concave outlines too and averages over points
+/// that are slightly off the plane.
+pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
+    let share = 1.0 / outline.len() as f64;
+    let center = outline.iter().fold(Vec3::ZERO, |sum, &p| sum + p * share);
+    let size = outline.iter().map(|&p| (p - center).length()).fold(0.0, f64::max);
+    if size == 0.0 || !size.is_finite() {
+        return None;
+    }
+    // Relative to the centre and the size, so that far and tiny polygons lose nothing.
+    let local = |i: usize| (outline[i % outline.len()] - center) * (1.0 / size);
+    let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross(local(i + 1)));
+    if area.length() < crate::SMALLEST_ANGLE {
+        return None;
+    }
+    Some(PolygonPlane { normal: area.try_normalize()?, center, size })
+}
+
+impl PolygonPlane {
+    /// The greatest distance of these points from the plane as a share of the polygon's size, if it is too great for
+    /// a flat polygon.
+    pub fn greatest_distance(&self, points: &[Vec3]) -> Option<f64> {
+        let off = |p: &Vec3| ((*p - self.center).dot(self.normal) / self.size).abs();
+        let greatest = points.iter().map(off).fold(0.0, f64::max);
+        (greatest > POLYGON_FLATNESS).then_some(greatest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vec3;
+
+    #[test]
+    fn plane_of_a_concave_outline_points_to_its_front() {
+        // An L in the xy plane, counter-clockwise seen from +z.
+        let l = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
+            .map(|(x, y)| vec3(x, y, 5.0));
+        let plane = polygon_plane(&l).unwrap();
+        assert_eq!(plane.normal, vec3(0.0, 0.0, 1.0));
+        assert_eq!(plane.greatest_distance(&l), None);
+    }
+
+    #[test]
+    fn points_on_a_line_have_no_plane() {
+        let line = [vec3(0.0, 0.0, 0.0), vec3(1.0, 1.0, 1.0), vec3(2.0, 2.0, 2.0)];
+        assert!(polygon_plane(&line).is_none());
+    }
+}

@@ -1,0 +1,271 @@
+//! Is a scene fit to be rendered? Answers with places, which importers turn into positions in the file.
+
+use brt_geometry::{Vec3, polygon_plane};
+use thiserror::Error;
+
+use crate::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
+
+/// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
+pub const GREATEST_COORDINATE: f64 = 1e30;
+
+/// A part of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A field of the scene itself.
+    Scene(&'static str),
+    /// A field of the camera.
+    Camera(&'static str),
+    /// A field of the light with this index.
+    Light(usize, &'static str),
+    /// A field of the material with this index.
+    Material(usize, &'static str),
+    /// A field of the object with this index.
+    Object(usize, &'static str),
+}
+
+/// Something that keeps a scene from being rendered.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{message}, expected {expected}")]
+pub struct Problem {
+    /// Where it is.
+    pub place: Place,
+    /// What is wrong.
+    pub message: String,
+    /// What was expected.
+    pub expected: &'static str,
+}
+
+impl Scene {
+    /// All problems, in the order of the scene; none: the scene can be rendered.
+    pub fn check(&self) -> Vec<Problem> {
+        let mut problems = Vec::new();
+        let mut found = |place: Place, fault: Fault| {
+            problems.push(Problem { place, message: fault.0, expected: fault.1 });
+        };
+        if let Some([width, height]) = self.size
+            && (width == 0 || height == 0)
+        {
+            found(
+                Place::Scene("size"),
+                fault("the picture has no pixels", "a width and height of at least 1"),
+            );
+        }
+        if !self.background.is_finite() {
+            found(
+                Place::Scene("background"),
+                fault("a channel is not a finite number", "three finite numbers"),
+            );
+        }
+        check_camera(&self.camera, &mut |field, f| found(Place::Camera(field), f));
+        for (i, light) in self.lights.iter().enumerate() {
+            check_light(light, &mut |field, f| found(Place::Light(i, field), f));
+        }
+        for (i, material) in self.materials.iter().enumerate() {
+            check_material(material, &mut |field, f| found(Place::Material(i, field), f));
+        }
+        for (i, object) in self.objects.iter().enumerate() {
+            if object.material.0 as usize >= self.materials.len() {
+                found(
+                    Place::Object(i, "material"),
+                    fault("there is no such material", "a material of the scene"),
+                );
+            }
+            check_shape(&object.shape, &mut |field, f| found(Place::Object(i, field), f));
+        }
+        problems
+    }
+}
+
+struct Fault(String, &'static str);
+type Found<'a> = &'a mut dyn FnMut(&'static str, Fault);
+
+fn fault(message: impl Into<String>, expected: &'static str) -> Fault {
+    Fault(message.into(), expected)
+}
+
+fn check_camera(camera: &Camera, found: Found) {
+    check_point("eye", camera.eye, found);
+    check_point("look_at", camera.look_at, found);
+    let forward = camera.look_at - camera.eye;
+    match (forward.try_normalize(), camera.up.try_normalize()) {
+        (None, _) => found("look_at", fault("the eye looks at itself", "a point other than the eye")),
+        (_, None) => found("up", fault("the up direction has no length", "a direction other than 0")),
+        (Some(f), Some(u)) if f.cross(u).length() < brt_geometry::SMALLEST_ANGLE => {
+            found(
+                "up",
+                fault("up points along the view", "a direction that is not parallel to look_at - eye"),
+            );
+        }
+        _ => {}
+    }
+    match camera.projection {
+        Projection::Perspective { fov_deg } => {
+            if !(fov_deg > 0.0 && fov_deg < 180.0) {
+                found(
+                    "fov_deg",
+                    fault(format!("the field of view is {fov_deg}°"), "an angle above 0 and below 180"),
+                );
+            }
+        }
+        Projection::Orthographic { extent } => check_length("extent", extent, found),
+    }
+}
+
+fn check_light(light: &Light, found: Found) {
+    let color = match light {
+        Light::Point { position, color } => {
+            check_point("position", *position, found);
+            color
+        }
+        Light::Directional { direction, color } => {
+            check_direction("direction", *direction, found);
+            color
+        }
+    };
+    if !color.is_finite() || color.r < 0.0 || color.g < 0.0 || color.b < 0.0 {
+        found("color", fault("a channel is negative or not finite", "three finite numbers of at least 0"));
+    }
+}
+
+fn check_material(m: &Material, found: Found) {
+    let factors = [
+        ("ambient", m.ambient),
+        ("diffuse", m.diffuse),
+        ("specular", m.specular),
+        ("exponent", m.exponent),
+        ("reflection", m.reflection),
+        ("transmission", m.transmission),
+    ];
+    for (field, value) in factors {
+        if !(0.0..=GREATEST_COORDINATE).contains(&value) {
+            found(field, fault(format!("`{field}` is {value}"), "a finite number of at least 0"));
+        }
+    }
+    check_length("index_of_refraction", m.index_of_refraction, found);
+    if !m.color.is_finite() {
+        found("color", fault("a channel is not a finite number", "three finite numbers"));
+    }
+    if let Some(checker) = &m.checker {
+        check_length("checker", checker.size, found);
+        if !checker.color.is_finite() {
+            found("checker", fault("a channel is not a finite number", "three finite numbers"));
+        }
+    }
+}
+
+fn check_shape(shape: &Shape, found: Found) {
+    match shape {
+        Shape::Sphere { center, radius } => {
+            check_point("center", *center, found);
+            check_length("radius", *radius, found);
+        }
+        Shape::Plane { normal, distance } => {
+            check_direction("normal", *normal, found);
+            if distance.abs() > GREATEST_COORDINATE || !distance.is_finite() {
+                found("distance", fault(format!("the distance is {distance}"), FINITE));
+            }
+        }
+        Shape::Polygon { outline, holes } => check_polygon(outline, holes, found),
+        Shape::Disc { center, normal, radius } => {
+            check_point("center", *center, found);
+            check_direction("normal", *normal, found);
+            check_length("radius", *radius, found);
+        }
+        Shape::Cylinder { base, top, radius, .. } => {
+            check_axis(*base, *top, found);
+            check_length("radius", *radius, found);
+        }
+        Shape::Cone { base, base_radius, top, top_radius, .. } => {
+            check_axis(*base, *top, found);
+            for (field, r) in [("base_radius", *base_radius), ("top_radius", *top_radius)] {
+                if !(0.0..=GREATEST_COORDINATE).contains(&r) {
+                    found(field, fault(format!("the radius is {r}"), "a finite number of at least 0"));
+                }
+            }
+            if *base_radius == 0.0 && *top_radius == 0.0 {
+                found("base_radius", fault("both radii are 0", "one radius above 0"));
+            }
+        }
+        Shape::Mesh(mesh) => check_mesh(mesh, found),
+    }
+}
+
+fn check_axis(base: Vec3, top: Vec3, found: Found) {
+    check_point("base", base, found);
+    check_point("top", top, found);
+    if (top - base).try_normalize().is_none() {
+        found("top", fault("base and top are the same point", "an axis of some length"));
+    }
+}
+
+fn check_polygon(outline: &[Vec3], holes: &[Vec<Vec3>], found: Found) {
+    for (field, ring) in
+        std::iter::once(("outline", outline)).chain(holes.iter().map(|h| ("holes", h.as_slice())))
+    {
+        if ring.len() < 3 {
+            found(field, fault(format!("a loop of {} points", ring.len()), "at least 3 points"));
+            return;
+        }
+        if ring.iter().any(|p| !in_range(*p)) {
+            found(field, fault("a coordinate is not finite or too large", FINITE));
+            return;
+        }
+    }
+    let Some(plane) = polygon_plane(outline) else {
+        found("outline", fault("the polygon has no area", "points that are not all on one line"));
+        return;
+    };
+    for (field, ring) in
+        std::iter::once(("outline", outline)).chain(holes.iter().map(|h| ("holes", h.as_slice())))
+    {
+        if let Some(distance) = plane.greatest_distance(ring) {
+            let message = format!("a point is {distance:.3} of the polygon's size off its plane");
+            found(field, fault(message, "points in one plane"));
+        }
+    }
+}
+
+fn check_mesh(mesh: &Mesh, found: Found) {
+    if mesh.positions.iter().any(|p| !in_range(*p)) {
+        found("positions", fault("a coordinate is not finite or too large", FINITE));
+    }
+    if !mesh.normals.is_empty() && mesh.normals.len() != mesh.positions.len() {
+        let message = format!("{} normals for {} positions", mesh.normals.len(), mesh.positions.len());
+        found("normals", fault(message, "a normal per position, or none"));
+    }
+    if let Some(i) = mesh.normals.iter().position(|n| n.try_normalize().is_none()) {
+        found("normals", fault(format!("normal {i} has no direction"), "three finite numbers, not all 0"));
+    }
+    let count = mesh.positions.len() as u64;
+    if let Some(t) = mesh.triangles.iter().find(|t| t.iter().any(|&i| u64::from(i) >= count)) {
+        let message = format!("triangle {t:?} names a point beyond the last, {count} points are given");
+        found("triangles", fault(message, "indices from 0 below the number of positions"));
+    }
+}
+
+fn check_point(field: &'static str, p: Vec3, found: Found) {
+    if !in_range(p) {
+        found(field, fault("a coordinate is not finite or too large", FINITE));
+    }
+}
+
+fn check_direction(field: &'static str, d: Vec3, found: Found) {
+    if d.try_normalize().is_none() || !in_range(d) {
+        found(
+            field,
+            fault("the direction has no length or is not finite", "three finite numbers, not all 0"),
+        );
+    }
+}
+
+fn check_length(field: &'static str, length: f64, found: Found) {
+    if !(length > 0.0 && length <= GREATEST_COORDINATE) {
+        found(field, fault(format!("`{field}` is {length}"), "a finite number above 0"));
+    }
+}
+
+fn in_range(p: Vec3) -> bool {
+    [p.x, p.y, p.z].iter().all(|c| c.abs() <= GREATEST_COORDINATE)
+}
+
+const FINITE: &str = "finite numbers up to 1e30";
