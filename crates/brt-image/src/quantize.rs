@@ -1,0 +1,198 @@
+//! Linear light to integer codes, exactly `round(E(c) * max)`, without a power per value.
+//!
+//! The sRGB codes are found by *thresholds*: threshold k is the smallest `f32` whose code is at
+//! least k, found once with the formula itself. A small table leads near the code, exact
+//! comparisons decide.
+
+use std::sync::LazyLock;
+
+use crate::transfer::Transfer;
+
+/// `round(255 * c)`. The product and the sum are exact in f64, so this is the exact rounding;
+/// the cast turns not-a-number into 0 and clamps.
+pub(crate) fn linear_8(linear: &[f32], codes: &mut [u8]) {
+    for (code, &c) in codes.iter_mut().zip(linear) {
+        *code = (f64::from(c) * 255.0 + 0.5) as u8;
+    }
+}
+
+/// `round(65535 * c)`, exact as above.
+pub(crate) fn linear_16(linear: &[f32], codes: &mut [u16]) {
+    for (code, &c) in codes.iter_mut().zip(linear) {
+        *code = (f64::from(c) * 65535.0 + 0.5) as u16;
+    }
+}
+
+/// Cells of a uniform grid over \[0, 1\]. Thresholds of 8-bit sRGB are at least 1/(255 * 12.92)
+/// apart, more than 1/4096: no cell holds two.
+const CELLS: usize = 4096;
+
+/// For each grid cell, the code at its start and the next threshold: the code is
+/// `first_code + (c >= threshold)`.
+struct Grid8 {
+    first_code: [u8; CELLS + 1],
+    threshold: [f32; CELLS + 1],
+}
+
+static GRID_8: LazyLock<Box<Grid8>> = LazyLock::new(|| {
+    let thresholds = srgb_thresholds(255);
+    let mut grid = Box::new(Grid8 { first_code: [0; CELLS + 1], threshold: [f32::INFINITY; CELLS + 1] });
+    let mut code = 0;
+    for cell in 0..=CELLS {
+        let start = cell as f32 / CELLS as f32;
+        while code < 255 && start >= thresholds[code + 1] {
+            code += 1;
+        }
+        grid.first_code[cell] = code as u8;
+        grid.threshold[cell] = thresholds.get(code + 1).copied().unwrap_or(f32::INFINITY);
+    }
+    grid
+});
+
+/// The 8-bit sRGB codes of linear values.
+pub(crate) fn srgb_8(linear: &[f32], codes: &mut [u8]) {
+    let grid = &**GRID_8;
+    for (code, &c) in codes.iter_mut().zip(linear) {
+        let c = c.max(0.0).min(1.0);
+        // The product is exact: the cell is never the wrong one. `min` only tells the compiler.
+        let cell = ((c * CELLS as f32) as usize).min(CELLS);
+        *code = grid.first_code[cell] + u8::from(c >= grid.threshold[cell]);
+    }
+}
+
+/// Pieces per octave of the chord approximation; with 256 its error is 0.03 codes of 16 bits.
+const PIECE_BITS: u32 = 8;
+/// The octaves from 2^-9 to 1 hold the curved part of the sRGB curve.
+const OCTAVES: u32 = 9;
+const PIECE_SHIFT: u32 = 23 - PIECE_BITS;
+/// Bits of 2^-9.
+const FIRST_PIECE: u32 = (127 - OCTAVES) << PIECE_BITS;
+const PIECES: usize = (OCTAVES << PIECE_BITS) as usize + 1;
+
+/// A continuous piecewise linear approximation of the 16-bit code, and the exact thresholds.
+struct Chords16 {
+    /// For each piece: code = intercept + slope * c.
+    chord: [(f32, f32); PIECES],
+    /// Index k: the smallest value with code at least k; one more at the end, never reached.
+    threshold: Vec<f32>,
+}
+
+static CHORDS_16: LazyLock<Box<Chords16>> = LazyLock::new(|| {
+    let mut threshold = srgb_thresholds(65535);
+    threshold.push(f32::INFINITY);
+    let mut table = Box::new(Chords16 { chord: [(0.0, 0.0); PIECES], threshold });
+    for (piece, chord) in table.chord.iter_mut().enumerate() {
+        let start = |p: usize| f32::from_bits((FIRST_PIECE + p as u32) << PIECE_SHIFT);
+        let (x0, x1) = (f64::from(start(piece)), f64::from(start(piece + 1)));
+        let y0 = 65535.0 * Transfer::Srgb.encode(x0);
+        let y1 = 65535.0 * Transfer::Srgb.encode(x1);
+        let slope = (y1 - y0) / (x1 - x0);
+        *chord = ((y0 - slope * x0) as f32, slope as f32);
+    }
+    table
+});
+
+/// The 16-bit sRGB codes of linear values.
+pub(crate) fn srgb_16(linear: &[f32], codes: &mut [u16]) {
+    let table = &**CHORDS_16;
+    for (code, &c) in codes.iter_mut().zip(linear) {
+        let c = c.max(0.0).min(1.0);
+        // Below 2^-9 the first piece serves: the curve is its straight line there.
+        let piece = (c.to_bits() >> PIECE_SHIFT).saturating_sub(FIRST_PIECE) as usize;
+        let (intercept, slope) = table.chord[piece.min(PIECES - 1)];
+        // The guess is wrong by one at most; the thresholds say whether.
+        let guess = ((intercept + slope * c + 0.5) as usize).min(65535);
+        let up = usize::from(c >= table.threshold[guess + 1]);
+        let down = usize::from(c < table.threshold[guess]);
+        *code = (guess + up - down) as u16;
+    }
+}
+
+/// Index k: the smallest `f32` whose code by the formula is at least k; index 0 holds 0.
+fn srgb_thresholds(max: u32) -> Vec<f32> {
+    (0..=max).map(|code| if code == 0 { 0.0 } else { srgb_threshold(code, max) }).collect()
+}
+
+fn srgb_threshold(code: u32, max: u32) -> f32 {
+    let boundary = (f64::from(code) - 0.5) / f64::from(max);
+    let mut c = Transfer::Srgb.decode(boundary) as f32;
+    // The inverse lands within a few floats of the boundary; walk to it by the formula.
+    while srgb_code(c, max) >= code {
+        c = c.next_down();
+    }
+    while srgb_code(c, max) < code {
+        c = c.next_up();
+    }
+    c
+}
+
+/// The definition: `round(max * E(c))`.
+fn srgb_code(c: f32, max: u32) -> u32 {
+    (Transfer::Srgb.encode(f64::from(c)) * f64::from(max) + 0.5) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The values around each threshold of `max`, and ugly ones.
+    fn trying_values(max: u32) -> Vec<f32> {
+        let ugly = [0.0, -0.0, -1.0, 1.0, 2.0, 1e-40, f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+        let mut values = ugly.to_vec();
+        for t in srgb_thresholds(max) {
+            let (down, up) = (t.next_down(), t.next_up());
+            values.extend([down.next_down(), down, t, up, up.next_up()]);
+        }
+        values.extend((0..200_000).map(|i| i as f32 / 200_000.0));
+        values
+    }
+
+    #[test]
+    fn srgb_8_agrees_with_the_formula_around_every_threshold() {
+        let values = trying_values(255);
+        let mut codes = vec![0; values.len()];
+        srgb_8(&values, &mut codes);
+        for (&c, &code) in values.iter().zip(&codes) {
+            assert_eq!(u32::from(code), srgb_code(c, 255), "{c}");
+        }
+    }
+
+    #[test]
+    fn srgb_16_agrees_with_the_formula_around_every_threshold() {
+        let values = trying_values(65535);
+        let mut codes = vec![0; values.len()];
+        srgb_16(&values, &mut codes);
+        for (&c, &code) in values.iter().zip(&codes) {
+            assert_eq!(u32::from(code), srgb_code(c, 65535), "{c}");
+        }
+    }
+
+    #[test]
+    fn thresholds_increase_and_cover_every_code() {
+        for max in [255, 65535] {
+            let thresholds = srgb_thresholds(max);
+            assert!(thresholds.windows(2).all(|pair| pair[0] < pair[1]));
+            // Index 0 is no threshold: code 0 has no start.
+            let gap = thresholds[1..].windows(2).map(|p| p[1] - p[0]).fold(1.0, f32::min);
+            assert!(max != 255 || gap > 1.0 / CELLS as f32);
+        }
+    }
+
+    #[test]
+    fn linear_codes_change_at_the_exact_halves() {
+        for code in 1..=255_u32 {
+            // The smallest f32 c with 255 c >= code - 1/2, decided in exact integers.
+            let mut c = ((f64::from(code) - 0.5) / 255.0) as f32;
+            let reaches = |c: f32| f64::from(c) * 510.0 >= f64::from(2 * code - 1);
+            while reaches(c) {
+                c = c.next_down();
+            }
+            let mut got = [0; 2];
+            linear_8(&[c, c.next_up()], &mut got);
+            assert_eq!(got.map(u32::from), [code - 1, code]);
+        }
+        let mut got = [9; 4];
+        linear_16(&[f32::NAN, -1.0, 7.0, 0.5], &mut got);
+        assert_eq!(got, [0, 0, 65535, 32768]);
+    }
+}
