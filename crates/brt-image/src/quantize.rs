@@ -23,28 +23,37 @@ pub(crate) fn linear_16(linear: &[f32], codes: &mut [u16]) {
     }
 }
 
-/// Cells of a uniform grid over \[0, 1\]. Thresholds of 8-bit sRGB are at least 1/(255 * 12.92)
-/// apart, more than 1/4096: no cell holds two.
-const CELLS: usize = 4096;
+/// Adding 2^23 to a small positive float rounds it to an integer in its lowest bits, with no
+/// conversion instruction in the way of vectors.
+const ROUNDING: f32 = 8_388_608.0;
 
-/// For each grid cell, the code at its start and the next threshold: the code is
-/// `first_code + (c >= threshold)`.
+/// Cells per unit. Thresholds of 8-bit sRGB are at least 1/(255 * 12.92) apart, more than
+/// 1/4096: no cell holds two.
+const CELLS: f32 = 4096.0;
+/// A power of two above the last cell, so that masked indices need no bounds check.
+const CELL_SLOTS: usize = 8192;
+
+/// The cell of a value in \[0, 1\]; it never decreases when the value grows.
+#[inline(always)]
+fn cell(c: f32) -> usize {
+    (c * CELLS + ROUNDING).to_bits() as usize & (CELL_SLOTS - 1)
+}
+
+/// For each cell, how many thresholds lie in lower cells, and the one in the cell if any: the
+/// code is `first_code + (c >= threshold)`.
 struct Grid8 {
-    first_code: [u8; CELLS + 1],
-    threshold: [f32; CELLS + 1],
+    first_code: [u8; CELL_SLOTS],
+    threshold: [f32; CELL_SLOTS],
 }
 
 static GRID_8: LazyLock<Box<Grid8>> = LazyLock::new(|| {
-    let thresholds = srgb_thresholds(255);
-    let mut grid = Box::new(Grid8 { first_code: [0; CELLS + 1], threshold: [f32::INFINITY; CELLS + 1] });
-    let mut code = 0;
-    for cell in 0..=CELLS {
-        let start = cell as f32 / CELLS as f32;
-        while code < 255 && start >= thresholds[code + 1] {
-            code += 1;
-        }
-        grid.first_code[cell] = code as u8;
-        grid.threshold[cell] = thresholds.get(code + 1).copied().unwrap_or(f32::INFINITY);
+    let mut grid = Box::new(Grid8 { first_code: [255; CELL_SLOTS], threshold: [f32::INFINITY; CELL_SLOTS] });
+    let mut next_cell = 0;
+    for (below, &threshold) in srgb_thresholds(255)[1..].iter().enumerate() {
+        let cell = cell(threshold);
+        grid.first_code[next_cell..=cell].fill(below as u8);
+        grid.threshold[cell] = threshold;
+        next_cell = cell + 1;
     }
     grid
 });
@@ -54,9 +63,8 @@ pub(crate) fn srgb_8(linear: &[f32], codes: &mut [u8]) {
     let grid = &**GRID_8;
     for (code, &c) in codes.iter_mut().zip(linear) {
         let c = c.max(0.0).min(1.0);
-        // The product is exact: the cell is never the wrong one. `min` only tells the compiler.
-        let cell = ((c * CELLS as f32) as usize).min(CELLS);
-        *code = grid.first_code[cell] + u8::from(c >= grid.threshold[cell]);
+        let cell = cell(c);
+        *code = grid.first_code[cell].wrapping_add(u8::from(c >= grid.threshold[cell]));
     }
 }
 
@@ -101,10 +109,10 @@ pub(crate) fn srgb_16(linear: &[f32], codes: &mut [u16]) {
         let piece = (c.to_bits() >> PIECE_SHIFT).saturating_sub(FIRST_PIECE) as usize;
         let (intercept, slope) = table.chord[piece.min(PIECES - 1)];
         // The guess is wrong by one at most; the thresholds say whether.
-        let guess = ((intercept + slope * c + 0.5) as usize).min(65535);
+        let guess = ((intercept + slope * c + ROUNDING).to_bits() & 0xffff) as usize;
         let up = usize::from(c >= table.threshold[guess + 1]);
         let down = usize::from(c < table.threshold[guess]);
-        *code = (guess + up - down) as u16;
+        *code = (guess + up).wrapping_sub(down) as u16;
     }
 }
 
@@ -174,7 +182,7 @@ mod tests {
             assert!(thresholds.windows(2).all(|pair| pair[0] < pair[1]));
             // Index 0 is no threshold: code 0 has no start.
             let gap = thresholds[1..].windows(2).map(|p| p[1] - p[0]).fold(1.0, f32::min);
-            assert!(max != 255 || gap > 1.0 / CELLS as f32);
+            assert!(max != 255 || gap > 1.0 / CELLS);
         }
     }
 
