@@ -10,6 +10,7 @@ mod check;
 mod light;
 mod material;
 mod object;
+pub mod procedural;
 mod report;
 
 pub use camera::{Camera, Projection};
