@@ -1,1 +1,29 @@
-//! In preparation.
+//! Scene files: bytes in, a [`Scene`](brt_scene::Scene) and a [`Report`](brt_scene::Report) out.
+//!
+//! What the next stage may rely on: a scene that this crate returns has passed
+//! [`Scene::check`](brt_scene::Scene::check) without a finding. What a file says and we leave out or replace is a
+//! warning in the report, with its place in the file. Reading is bounded by [`Limits`], never recurses without
+//! bound, never panics, and prints nothing: whoever shows a report draws it over [`Loaded::text`].
+//!
+//! ```
+//! use brt_formats::{Format, Limits, parse, write_toml};
+//!
+//! let text = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov_deg = 45\n";
+//! let (scene, report) = parse(Format::Toml, text.as_bytes(), &Limits::default()).unwrap();
+//! assert!(report.diagnostics.is_empty());
+//! assert_eq!(parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap().0, scene);
+//! ```
+
+mod error;
+mod format;
+mod limits;
+mod load;
+mod nff;
+mod problems;
+mod toml;
+
+pub use error::{LimitExceeded, LoadError, ParseError};
+pub use format::Format;
+pub use limits::{LimitKind, Limits};
+pub use load::{Loaded, load, parse};
+pub use toml::write_toml;

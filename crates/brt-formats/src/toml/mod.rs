@@ -1,0 +1,70 @@
+//! Our own scene format (`docs/scene-format.md`).
+//!
+//! The file is parsed to a tree of values with positions, which a small typed reader walks. Nesting is bounded by
+//! the `toml` crate (80 levels).
+
+mod fields;
+mod material;
+mod scene;
+mod shape;
+mod value;
+mod write;
+
+use brt_scene::{Diagnostic, Report, Scene};
+use toml::de::DeTable;
+
+use crate::limits::Counter;
+use crate::problems::Problems;
+use crate::{LimitKind, Limits, ParseError};
+
+pub use write::write_toml;
+
+/// Reads a scene.
+pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), ParseError> {
+    let text =
+        std::str::from_utf8(bytes).map_err(|error| ParseError::NotUtf8 { position: error.valid_up_to() })?;
+    limits.allows(LimitKind::Words, most_words(bytes))?;
+    let mut problems = Problems::default();
+    let root = match DeTable::parse(text) {
+        Ok(root) => root,
+        Err(error) => {
+            problems.push(syntax_error(&error));
+            return Err(ParseError::Malformed(problems.into_report()));
+        }
+    };
+    let mut counter = Counter::new(limits);
+    let read = scene::read_scene(root.get_ref(), &mut counter, &mut problems)?;
+    for problem in read.scene.check() {
+        let span = read.span(problem.place);
+        problems.push(Diagnostic::error(problem.message, span).expecting(problem.expected));
+    }
+    if problems.has_errors() {
+        return Err(ParseError::Malformed(problems.into_report()));
+    }
+    Ok((read.scene, problems.into_report()))
+}
+
+/// An upper bound on the number of tokens: the tree of values costs memory for each of them.
+fn most_words(bytes: &[u8]) -> u64 {
+    let mut count = 1;
+    let mut in_word = false;
+    for &byte in bytes {
+        let starts_word = byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-' | b'+' | 0x80..);
+        // Blanks and words count once a run, every mark by itself.
+        let blank = matches!(byte, b' ' | b'\t');
+        count += u64::from(!(starts_word && in_word) && !blank);
+        count += u64::from(blank && in_word);
+        in_word = starts_word;
+    }
+    count
+}
+
+fn syntax_error(error: &toml::de::Error) -> Diagnostic {
+    let message = match error.message().split_once(", expected ") {
+        Some((message, expected)) => {
+            return Diagnostic::error(message, error.span()).expecting(expected);
+        }
+        None => error.message(),
+    };
+    Diagnostic::error(message, error.span())
+}

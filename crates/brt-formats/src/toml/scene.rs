@@ -1,0 +1,232 @@
+//! The whole file: picture, camera, lights, materials, objects.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use brt_geometry::vec3;
+use brt_image::Rgb;
+use brt_scene::{Camera, Diagnostic, Light, Material, MaterialId, Object, Place, Projection, Scene, Shape};
+use toml::de::{DeTable, DeValue};
+
+use super::fields::{Fields, did_you_mean};
+use super::material::read_material;
+use super::shape::read_shape;
+use super::value::{Value, color, error, excerpt, mismatch, number, one_of, size, text, vector, whole};
+use crate::LimitExceeded;
+use crate::limits::Counter;
+use crate::problems::Problems;
+
+const KNOWN: &[&str] = &["size", "max_depth", "background", "camera", "light", "materials", "object"];
+
+/// Greatest bounce limit: deeper light is darker than any tolerance, and each level costs a stack frame.
+const GREATEST_DEPTH: u32 = 1000;
+
+/// A scene whose parts remember the values that they were read from.
+pub(super) struct Read<'v, 'a> {
+    pub(super) scene: Scene,
+    root: &'v DeTable<'a>,
+    lights: Vec<&'v Value<'a>>,
+    materials: Vec<&'v Value<'a>>,
+    objects: Vec<&'v Value<'a>>,
+}
+
+impl Read<'_, '_> {
+    /// The place in the file: the field's value, or its table where the field is left out.
+    pub(super) fn span(&self, place: Place) -> Option<Range<usize>> {
+        let (table, field) = match place {
+            Place::Scene(field) => return self.root.get(field).map(Value::span),
+            Place::Camera(field) => (self.root.get("camera"), field),
+            Place::Light(i, field) => (self.lights.get(i).copied(), field),
+            Place::Material(i, field) => (self.materials.get(i).copied(), field),
+            Place::Object(i, field) => (self.objects.get(i).copied(), field),
+        };
+        let value = table?.get_ref().get(field);
+        Some(value.or(table)?.span())
+    }
+}
+
+/// Reads the file's tables. What has errors is left out or replaced, so that the rest can still be checked.
+pub(super) fn read_scene<'v, 'a>(
+    root: &'v DeTable<'a>,
+    counter: &mut Counter,
+    problems: &mut Problems,
+) -> Result<Read<'v, 'a>, LimitExceeded> {
+    let mut fields = Fields::of_file(root, problems);
+    fields.only(&[KNOWN]);
+    let mut scene = Scene::new(stand_in());
+    scene.size = fields.or("size", None, |v| size(v).map(Some)).flatten();
+    let depth = |v: &Value| whole(v, GREATEST_DEPTH, "a whole number from 0 to 1000");
+    scene.max_depth = fields.or("max_depth", scene.max_depth, depth).unwrap_or(scene.max_depth);
+    scene.background = fields.or("background", Rgb::BLACK, color).unwrap_or(Rgb::BLACK);
+    match fields.value("camera") {
+        Some(value) => scene.camera = read_camera(value, fields.problems).unwrap_or(scene.camera),
+        None => fields.missing("[camera]").unwrap_or(()),
+    }
+    if let Some(size) = scene.size {
+        counter.picture(size)?;
+    }
+    let mut read = Read { scene, root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
+    read_lights(&mut read, problems);
+    let names = read_materials(&mut read, problems);
+    read_objects(&mut read, &names, counter, problems)?;
+    Ok(read)
+}
+
+/// A camera without faults, for files whose own has some.
+fn stand_in() -> Camera {
+    Camera {
+        eye: vec3(0.0, 0.0, 1.0),
+        look_at: vec3(0.0, 0.0, 0.0),
+        up: vec3(0.0, 1.0, 0.0),
+        projection: Projection::Perspective { fov_deg: 45.0 },
+    }
+}
+
+fn read_camera(value: &Value, problems: &mut Problems) -> Option<Camera> {
+    #[derive(Clone, Copy)]
+    enum Kind {
+        Perspective,
+        Orthographic,
+    }
+    const KINDS: [(&str, Kind); 2] =
+        [("perspective", Kind::Perspective), ("orthographic", Kind::Orthographic)];
+    const COMMON: &[&str] = &["eye", "look_at", "up", "projection"];
+
+    let mut fields = Fields::of_value(value, "the camera", problems)?;
+    let kind = fields.or("projection", Kind::Perspective, |v| one_of(v, &KINDS));
+    let eye = fields.required("eye", vector);
+    let look_at = fields.required("look_at", vector);
+    let up = fields.or("up", vec3(0.0, 1.0, 0.0), vector);
+    let projection = match kind? {
+        Kind::Perspective => {
+            fields.only(&[COMMON, &["fov_deg"]]);
+            fields.required("fov_deg", number).map(|fov_deg| Projection::Perspective { fov_deg })
+        }
+        Kind::Orthographic => {
+            fields.now_called("the orthographic camera");
+            fields.only(&[COMMON, &["extent"]]);
+            fields.required("extent", number).map(|extent| Projection::Orthographic { extent })
+        }
+    };
+    Some(Camera { eye: eye?, look_at: look_at?, up: up?, projection: projection? })
+}
+
+fn read_lights(read: &mut Read, problems: &mut Problems) {
+    for value in tables(read.root, "light", problems) {
+        if let Some(light) = read_light(value, problems) {
+            read.scene.lights.push(light);
+            read.lights.push(value);
+        }
+    }
+}
+
+fn read_light(value: &Value, problems: &mut Problems) -> Option<Light> {
+    let mut fields = Fields::of_value(value, "the light", problems)?;
+    let is_point = fields.required("type", |v| one_of(v, &[("point", true), ("directional", false)]))?;
+    if is_point {
+        fields.now_called("the point light");
+        fields.only(&[&["type", "position", "color"]]);
+        let position = fields.required("position", vector);
+        let color = fields.required("color", color);
+        Some(Light::Point { position: position?, color: color? })
+    } else {
+        fields.now_called("the directional light");
+        fields.only(&[&["type", "direction", "color"]]);
+        let direction = fields.required("direction", vector);
+        let color = fields.required("color", color);
+        Some(Light::Directional { direction: direction?, color: color? })
+    }
+}
+
+/// Materials in the file's order; one with errors leaves a stand-in, so that objects may name it.
+fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashMap<&'v str, MaterialId> {
+    let Some(value) = read.root.get("materials") else {
+        return HashMap::new();
+    };
+    let DeValue::Table(table) = value.get_ref() else {
+        problems.push(mismatch(value, "tables [materials.NAME]"));
+        return HashMap::new();
+    };
+    // The table is sorted by name.
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    let mut names = HashMap::new();
+    for (key, value) in entries {
+        let name = key.get_ref().as_ref();
+        let material = read_material(name, value, problems);
+        let id = read.scene.add_material(material.unwrap_or_else(|| Material::matte(name, Rgb::WHITE)));
+        read.materials.push(value);
+        names.insert(name, id);
+    }
+    names
+}
+
+fn read_objects(
+    read: &mut Read,
+    names: &HashMap<&str, MaterialId>,
+    counter: &mut Counter,
+    problems: &mut Problems,
+) -> Result<(), LimitExceeded> {
+    for value in tables(read.root, "object", problems) {
+        if problems.is_full() {
+            break;
+        }
+        if let Some(object) = read_object(value, names, problems) {
+            count(&object.shape, counter)?;
+            read.scene.objects.push(object);
+            read.objects.push(value);
+        }
+    }
+    Ok(())
+}
+
+fn read_object(value: &Value, names: &HashMap<&str, MaterialId>, problems: &mut Problems) -> Option<Object> {
+    let mut fields = Fields::of_value(value, "the object", problems)?;
+    let shape = read_shape(&mut fields);
+    let material = fields.required("material", |value| material_named(value, names));
+    let name = fields.or("name", None, |value| text(value).map(Some));
+    Some(Object { name: name?, shape: shape?, material: material? })
+}
+
+fn material_named(value: &Value, names: &HashMap<&str, MaterialId>) -> Result<MaterialId, Diagnostic> {
+    /// A guess compares with every name: not in files with thousands of them.
+    const MOST_GUESSED: usize = 1000;
+    let Some(name) = value.get_ref().as_str() else {
+        return Err(mismatch(value, "the name of a material"));
+    };
+    names.get(name).copied().ok_or_else(|| {
+        // Sorted, so that the guess does not depend on the order of a hash map.
+        let mut known: Vec<_> = names.keys().copied().collect();
+        known.sort_unstable();
+        known.truncate(MOST_GUESSED);
+        let guess = did_you_mean(name, known.into_iter());
+        let message = format!("there is no material `{}`{guess}", excerpt(name));
+        error(message, value, "the name of a table [materials.NAME]")
+    })
+}
+
+fn count(shape: &Shape, counter: &mut Counter) -> Result<(), LimitExceeded> {
+    match shape {
+        Shape::Mesh(mesh) => {
+            counter.points(mesh.positions.len())?;
+            counter.objects(mesh.triangles.len().max(1))
+        }
+        Shape::Polygon { outline, holes } => {
+            counter.points(outline.len() + holes.iter().map(Vec::len).sum::<usize>())?;
+            counter.objects(1)
+        }
+        _ => counter.objects(1),
+    }
+}
+
+/// The tables `[[key]]`.
+fn tables<'v, 'a>(root: &'v DeTable<'a>, key: &str, problems: &mut Problems) -> &'v [Value<'a>] {
+    match root.get(key).map(|value| (value, value.get_ref())) {
+        None => &[],
+        Some((_, DeValue::Array(items))) => items,
+        Some((value, _)) => {
+            problems.push(mismatch(value, &format!("tables [[{key}]], in double brackets")));
+            &[]
+        }
+    }
+}

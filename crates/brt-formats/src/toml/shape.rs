@@ -1,0 +1,117 @@
+//! The shapes of `[[object]]`.
+
+use brt_scene::{Mesh, Shape};
+
+use super::fields::Fields;
+use super::value::{boolean, loops, number, one_of, triangles, vector, vectors};
+
+/// Fields that every object has.
+const COMMON: &[&str] = &["type", "material", "name"];
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Sphere,
+    Plane,
+    Polygon,
+    Disc,
+    Cylinder,
+    Cone,
+    Mesh,
+}
+
+const KINDS: [(&str, Kind); 7] = [
+    ("sphere", Kind::Sphere),
+    ("plane", Kind::Plane),
+    ("polygon", Kind::Polygon),
+    ("disc", Kind::Disc),
+    ("cylinder", Kind::Cylinder),
+    ("cone", Kind::Cone),
+    ("mesh", Kind::Mesh),
+];
+
+/// Reads the shape that the field `type` names.
+pub(super) fn read_shape(fields: &mut Fields) -> Option<Shape> {
+    let kind = fields.required("type", |value| one_of(value, &KINDS))?;
+    let (what, known) = describe(kind);
+    fields.now_called(what);
+    fields.only(&[COMMON, known]);
+    match kind {
+        Kind::Sphere => sphere(fields),
+        Kind::Plane => plane(fields),
+        Kind::Polygon => polygon(fields),
+        Kind::Disc => disc(fields),
+        Kind::Cylinder => cylinder(fields),
+        Kind::Cone => cone(fields),
+        Kind::Mesh => mesh(fields),
+    }
+}
+
+/// What messages call a kind, and its own fields.
+fn describe(kind: Kind) -> (&'static str, &'static [&'static str]) {
+    match kind {
+        Kind::Sphere => ("the sphere", &["center", "radius"]),
+        Kind::Plane => ("the plane", &["normal", "distance"]),
+        Kind::Polygon => ("the polygon", &["outline", "holes"]),
+        Kind::Disc => ("the disc", &["center", "normal", "radius"]),
+        Kind::Cylinder => ("the cylinder", &["base", "top", "radius", "capped"]),
+        Kind::Cone => ("the cone", &["base", "base_radius", "top", "top_radius", "capped"]),
+        Kind::Mesh => ("the mesh", &["positions", "normals", "triangles"]),
+    }
+}
+
+// All fields are read before the first `?`, so that every error of an object is said.
+
+fn sphere(fields: &mut Fields) -> Option<Shape> {
+    let center = fields.required("center", vector);
+    let radius = fields.required("radius", number);
+    Some(Shape::Sphere { center: center?, radius: radius? })
+}
+
+fn plane(fields: &mut Fields) -> Option<Shape> {
+    let normal = fields.required("normal", vector);
+    let distance = fields.required("distance", number);
+    Some(Shape::Plane { normal: normal?, distance: distance? })
+}
+
+fn polygon(fields: &mut Fields) -> Option<Shape> {
+    let outline = fields.required("outline", vectors);
+    let holes = fields.or("holes", Vec::new(), loops);
+    Some(Shape::Polygon { outline: outline?, holes: holes? })
+}
+
+fn disc(fields: &mut Fields) -> Option<Shape> {
+    let center = fields.required("center", vector);
+    let normal = fields.required("normal", vector);
+    let radius = fields.required("radius", number);
+    Some(Shape::Disc { center: center?, normal: normal?, radius: radius? })
+}
+
+fn cylinder(fields: &mut Fields) -> Option<Shape> {
+    let base = fields.required("base", vector);
+    let top = fields.required("top", vector);
+    let radius = fields.required("radius", number);
+    let capped = fields.or("capped", true, boolean);
+    Some(Shape::Cylinder { base: base?, top: top?, radius: radius?, capped: capped? })
+}
+
+fn cone(fields: &mut Fields) -> Option<Shape> {
+    let base = fields.required("base", vector);
+    let base_radius = fields.required("base_radius", number);
+    let top = fields.required("top", vector);
+    let top_radius = fields.required("top_radius", number);
+    let capped = fields.or("capped", true, boolean);
+    Some(Shape::Cone {
+        base: base?,
+        base_radius: base_radius?,
+        top: top?,
+        top_radius: top_radius?,
+        capped: capped?,
+    })
+}
+
+fn mesh(fields: &mut Fields) -> Option<Shape> {
+    let positions = fields.required("positions", vectors);
+    let normals = fields.or("normals", Vec::new(), vectors);
+    let triangles = fields.required("triangles", triangles);
+    Some(Shape::Mesh(Mesh { positions: positions?, normals: normals?, triangles: triangles? }))
+}

@@ -1,0 +1,283 @@
+//! Writes a scene in our own format, so that reading it gives exactly the same scene.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+
+use brt_geometry::Vec3;
+use brt_image::Rgb;
+use brt_scene::{Axis, Camera, Highlight, Light, Material, Mesh, Object, Projection, Scene, Shape};
+
+/// The scene as text in our own format.
+///
+/// For every scene whose check finds nothing, reading the text gives an equal scene; only materials that share
+/// their name with an earlier one are renamed.
+pub fn write_toml(scene: &Scene) -> String {
+    let mut out = Writer(String::new());
+    if let Some([width, height]) = scene.size {
+        out.field("size", &format!("[{width}, {height}]"));
+    }
+    out.field("max_depth", &scene.max_depth.to_string());
+    out.field("background", &color(scene.background));
+    out.camera(&scene.camera);
+    for light in &scene.lights {
+        out.light(light);
+    }
+    let names = unique_names(&scene.materials);
+    for (material, name) in scene.materials.iter().zip(&names) {
+        out.material(material, name);
+    }
+    for object in &scene.objects {
+        let material = names.get(object.material.0 as usize).map_or("", String::as_str);
+        out.object(object, material);
+    }
+    out.0
+}
+
+struct Writer(String);
+
+impl Writer {
+    fn header(&mut self, header: &str) {
+        self.0.push('\n');
+        self.0.push_str(header);
+        self.0.push('\n');
+    }
+
+    fn field(&mut self, key: &str, value: &str) {
+        for part in [key, " = ", value, "\n"] {
+            self.0.push_str(part);
+        }
+    }
+
+    fn camera(&mut self, camera: &Camera) {
+        self.header("[camera]");
+        self.field("eye", &vector(camera.eye));
+        self.field("look_at", &vector(camera.look_at));
+        self.field("up", &vector(camera.up));
+        match camera.projection {
+            Projection::Perspective { fov_deg } => self.field("fov_deg", &number(fov_deg)),
+            Projection::Orthographic { extent } => {
+                self.field("projection", "\"orthographic\"");
+                self.field("extent", &number(extent));
+            }
+        }
+    }
+
+    fn light(&mut self, light: &Light) {
+        self.header("[[light]]");
+        match light {
+            Light::Point { position, color: c } => {
+                self.field("type", "\"point\"");
+                self.field("position", &vector(*position));
+                self.field("color", &color(*c));
+            }
+            Light::Directional { direction, color: c } => {
+                self.field("type", "\"directional\"");
+                self.field("direction", &vector(*direction));
+                self.field("color", &color(*c));
+            }
+        }
+    }
+
+    fn material(&mut self, material: &Material, name: &str) {
+        self.header(&format!("[materials.{}]", key(name)));
+        self.field("color", &color(material.color));
+        if let Some(checker) = &material.checker {
+            let axis = match checker.axis {
+                Axis::X => "x",
+                Axis::Y => "y",
+                Axis::Z => "z",
+            };
+            let (second, size) = (color(checker.color), number(checker.size));
+            self.field("checker", &format!("{{ color = {second}, size = {size}, axis = \"{axis}\" }}"));
+        }
+        self.field("ambient", &number(material.ambient));
+        self.field("diffuse", &number(material.diffuse));
+        self.field("specular", &number(material.specular));
+        self.field("exponent", &number(material.exponent));
+        self.field(
+            "highlight",
+            match material.highlight {
+                Highlight::Phong => "\"phong\"",
+                Highlight::Blinn => "\"blinn\"",
+            },
+        );
+        self.field("reflection", &number(material.reflection));
+        self.field("transmission", &number(material.transmission));
+        self.field("index_of_refraction", &number(material.index_of_refraction));
+        self.field("casts_shadow", &material.casts_shadow.to_string());
+    }
+
+    fn object(&mut self, object: &Object, material: &str) {
+        self.header("[[object]]");
+        self.field("type", &quoted(object.shape.kind()));
+        if let Some(name) = &object.name {
+            self.field("name", &quoted(name));
+        }
+        self.field("material", &quoted(material));
+        self.shape(&object.shape);
+    }
+
+    fn shape(&mut self, shape: &Shape) {
+        match shape {
+            Shape::Sphere { center, radius } => {
+                self.field("center", &vector(*center));
+                self.field("radius", &number(*radius));
+            }
+            Shape::Plane { normal, distance } => {
+                self.field("normal", &vector(*normal));
+                self.field("distance", &number(*distance));
+            }
+            Shape::Polygon { outline, holes } => self.polygon(outline, holes),
+            Shape::Disc { center, normal, radius } => {
+                self.field("center", &vector(*center));
+                self.field("normal", &vector(*normal));
+                self.field("radius", &number(*radius));
+            }
+            Shape::Cylinder { base, top, radius, capped } => {
+                self.field("base", &vector(*base));
+                self.field("top", &vector(*top));
+                self.field("radius", &number(*radius));
+                self.field("capped", &capped.to_string());
+            }
+            Shape::Cone { base, base_radius, top, top_radius, capped } => {
+                self.field("base", &vector(*base));
+                self.field("base_radius", &number(*base_radius));
+                self.field("top", &vector(*top));
+                self.field("top_radius", &number(*top_radius));
+                self.field("capped", &capped.to_string());
+            }
+            Shape::Mesh(mesh) => self.mesh(mesh),
+        }
+    }
+
+    fn polygon(&mut self, outline: &[Vec3], holes: &[Vec<Vec3>]) {
+        self.0.push_str("outline = ");
+        self.list(outline, |out, p| push_vector(out, *p));
+        self.0.push('\n');
+        if !holes.is_empty() {
+            self.0.push_str("holes = [\n");
+            for hole in holes {
+                self.list(hole, |out, p| push_vector(out, *p));
+                self.0.push_str(",\n");
+            }
+            self.0.push_str("]\n");
+        }
+    }
+
+    fn mesh(&mut self, mesh: &Mesh) {
+        self.0.push_str("positions = ");
+        self.list(&mesh.positions, |out, p| push_vector(out, *p));
+        if !mesh.normals.is_empty() {
+            self.0.push_str("\nnormals = ");
+            self.list(&mesh.normals, |out, n| push_vector(out, *n));
+        }
+        self.0.push_str("\ntriangles = ");
+        self.list(&mesh.triangles, |out, [a, b, c]| push(out, format_args!("[{a}, {b}, {c}]")));
+        self.0.push('\n');
+    }
+
+    /// A list on one line where it is short, else several items a line.
+    fn list<T>(&mut self, items: &[T], item: impl Fn(&mut String, &T)) {
+        const A_LINE: usize = 5;
+        let long = items.len() > A_LINE;
+        self.0.push('[');
+        for (i, value) in items.iter().enumerate() {
+            if long && i % A_LINE == 0 {
+                self.0.push_str("\n    ");
+            }
+            item(&mut self.0, value);
+            if long && i % A_LINE == A_LINE - 1 {
+                self.0.push(',');
+            } else if long || i + 1 < items.len() {
+                self.0.push_str(", ");
+            }
+        }
+        if long {
+            self.0.truncate(self.0.trim_end().len());
+            self.0.push('\n');
+        }
+        self.0.push(']');
+    }
+}
+
+/// Names of the materials, each made different from those before it.
+fn unique_names(materials: &[Material]) -> Vec<String> {
+    let mut taken: HashSet<String> = materials.iter().map(|m| m.name.clone()).collect();
+    let mut seen = HashSet::new();
+    let mut unique = |material: &Material| {
+        if seen.insert(material.name.clone()) {
+            return material.name.clone();
+        }
+        let mut numbered = (2_u64..).map(|n| format!("{} {n}", material.name));
+        let name = numbered.find(|name| !taken.contains(name)).unwrap_or_default();
+        taken.insert(name.clone());
+        name
+    };
+    materials.iter().map(&mut unique).collect()
+}
+
+fn push(out: &mut String, text: std::fmt::Arguments) {
+    // Writing to a text cannot fail.
+    let _ = out.write_fmt(text);
+}
+
+/// The shortest digits that read back exactly; whole numbers without a point.
+fn push_number(out: &mut String, x: f64) {
+    /// Up to here a double that is whole has few digits and stands for itself.
+    const GREATEST_WHOLE: f64 = 1_000_000_000_000_000.0;
+    let is_minus_zero = x == 0.0 && x.is_sign_negative();
+    if x.fract() == 0.0 && x.abs() < GREATEST_WHOLE && !is_minus_zero {
+        push(out, format_args!("{}", x as i64));
+    } else {
+        push(out, format_args!("{x:?}"));
+    }
+}
+
+fn push_vector(out: &mut String, v: Vec3) {
+    out.push('[');
+    push_number(out, v.x);
+    out.push_str(", ");
+    push_number(out, v.y);
+    out.push_str(", ");
+    push_number(out, v.z);
+    out.push(']');
+}
+
+fn number(x: f64) -> String {
+    let mut out = String::new();
+    push_number(&mut out, x);
+    out
+}
+
+fn vector(v: Vec3) -> String {
+    let mut out = String::new();
+    push_vector(&mut out, v);
+    out
+}
+
+fn color(c: Rgb) -> String {
+    vector(<[f64; 3]>::from(c).into())
+}
+
+fn key(name: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !name.is_empty() && name.chars().all(bare) { name.to_owned() } else { quoted(name) }
+}
+
+/// A basic string of TOML.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\r' => out.push_str("\\r"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() => push(&mut out, format_args!("\\u{:04X}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
