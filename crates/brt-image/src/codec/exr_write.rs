@@ -1,0 +1,284 @@
+//! Writes `OpenEXR`: 32-bit float RGB and named layers, in scan-line blocks as they come.
+//!
+//! The exr crate compresses the blocks and writes the header; its own file writer works only
+//! from inside a closure and a seekable file, so the order of the file is kept here: header,
+//! table of block offsets, blocks. A sink that can go back gets compressed blocks and its table
+//! at the end. Any other gets plain blocks, whose offsets are known in advance.
+//!
+//! ZIP blocks of 16 rows are the format's common lossless choice; blocks are compressed in
+//! parallel, and a few blocks is all that is held.
+
+use std::io::Write;
+
+use exr::block::chunk::{Chunk, CompressedBlock};
+use exr::block::{BlockIndex, UncompressedBlock};
+use exr::compression::Compression;
+use exr::math::Vec2;
+use exr::meta::attribute::{ChannelDescription, LineOrder, SampleType, Text};
+use exr::meta::header::Header;
+use exr::meta::{BlockDescription, MetaData, magic_number};
+use rayon::prelude::*;
+
+use super::error::EncodeError;
+use super::format::BandWriter;
+use super::rows::RowCount;
+use super::sink::Sink;
+use crate::PictureSize;
+
+/// Blocks compressed together: enough for the threads of a desktop.
+const BLOCKS_AT_ONCE: usize = 16;
+/// Row number and length before the bytes of a block.
+const BLOCK_HEAD_BYTES: u64 = 8;
+/// The names of the picture's own channels.
+const COLOR_NAMES: [&str; 3] = ["R", "G", "B"];
+
+/// Names of the channels stored beside R, G and B, such as `depth.Z` or `normal.X`.
+///
+/// Programs show what stands before the last dot as a layer.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ExrLayers {
+    /// One name for each channel, in the order in which the values will be given.
+    pub names: Vec<String>,
+}
+
+impl ExrLayers {
+    /// These channels.
+    pub fn new<N: Into<String>>(names: impl IntoIterator<Item = N>) -> Self {
+        Self { names: names.into_iter().map(Into::into).collect() }
+    }
+}
+
+/// Streams an EXR file, by [`BandWriter`] or, with further layers, by
+/// [`ExrEncoder::write_with_layers`].
+pub struct ExrEncoder {
+    sink: Box<dyn Sink>,
+    rows: RowCount,
+    header: Header,
+    /// Where each stored channel comes from: 0 to 2 are R, G, B, then the layers.
+    sources: Vec<usize>,
+    /// Where the table of offsets starts.
+    table_start: u64,
+    /// Where each block starts, in bytes from the start of the file.
+    offsets: Vec<u64>,
+    /// Where the next block will start.
+    position: u64,
+    /// Bytes of one row.
+    row_bytes: usize,
+    block_rows: usize,
+    /// The block being filled: for each row, for each channel, the values in native byte order.
+    block: Vec<u8>,
+    full_blocks: Vec<UncompressedBlock>,
+    blocks_begun: usize,
+}
+
+impl ExrEncoder {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// If the format cannot hold the size, layer names are empty, repeated or too long, or the
+    /// sink fails.
+    pub fn new(mut sink: Box<dyn Sink>, size: PictureSize, layers: &ExrLayers) -> Result<Self, EncodeError> {
+        let rows = RowCount::new(size, "EXR")?;
+        let sources = channel_order(layers)?;
+        let can_patch = sink.can_patch();
+        let header = make_header(size, layers, &sources, can_patch);
+        let bytes = header_bytes(&header)?;
+        let table_start = bytes.len() as u64;
+        let row_bytes = rows.width() * sources.len() * size_of::<f32>();
+        let block_rows = header.compression.scan_lines_per_block();
+        let table =
+            if can_patch { vec![0; header.chunk_count] } else { plain_offsets(table_start, size, row_bytes) };
+        sink.write_all(&bytes)?;
+        write_table(&mut sink, &table)?;
+        let position = table_start + 8 * header.chunk_count as u64;
+        let offsets = Vec::with_capacity(header.chunk_count);
+        let (block, full_blocks) = (Vec::new(), Vec::new());
+        Ok(Self {
+            sink,
+            rows,
+            header,
+            sources,
+            table_start,
+            offsets,
+            position,
+            row_bytes,
+            block_rows,
+            block,
+            full_blocks,
+            blocks_begun: 0,
+        })
+    }
+
+    /// Encodes the next rows: the colours, and for each layer one value for each pixel.
+    ///
+    /// # Errors
+    /// If the rows do not fit the picture, a layer is missing or of another length, or the sink
+    /// fails.
+    pub fn write_with_layers(&mut self, rows: &[[f32; 3]], layers: &[&[f32]]) -> Result<(), EncodeError> {
+        let expected = self.sources.len() - COLOR_NAMES.len();
+        if layers.len() != expected {
+            let message = format!("{expected} were announced, {} given", layers.len());
+            return Err(EncodeError::Layers(message));
+        }
+        if let Some(layer) = layers.iter().find(|layer| layer.len() != rows.len()) {
+            let message = format!("one has {} values for {} pixels", layer.len(), rows.len());
+            return Err(EncodeError::Layers(message));
+        }
+        self.rows.add(rows.len())?;
+        let width = self.rows.width();
+        for first in (0..rows.len()).step_by(width) {
+            self.push_row(rows, layers, first..first + width);
+            if self.block.len() == self.block_rows * self.row_bytes {
+                self.end_block();
+            }
+            if self.full_blocks.len() == BLOCKS_AT_ONCE {
+                self.write_blocks()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends a row to the block, channel by channel.
+    fn push_row(&mut self, rows: &[[f32; 3]], layers: &[&[f32]], row: std::ops::Range<usize>) {
+        self.block.reserve_exact(self.block_rows * self.row_bytes - self.block.len());
+        for &source in &self.sources {
+            if source < COLOR_NAMES.len() {
+                self.block.extend(rows[row.clone()].iter().flat_map(|p| p[source].to_ne_bytes()));
+            } else {
+                let values = &layers[source - COLOR_NAMES.len()][row.clone()];
+                self.block.extend(values.iter().flat_map(|v| v.to_ne_bytes()));
+            }
+        }
+    }
+
+    fn end_block(&mut self) {
+        let data = std::mem::take(&mut self.block);
+        let rows = data.len() / self.row_bytes;
+        let index = BlockIndex {
+            layer: 0,
+            pixel_position: Vec2(0, self.blocks_begun * self.block_rows),
+            pixel_size: Vec2(self.rows.width(), rows),
+            level: Vec2(0, 0),
+        };
+        self.blocks_begun += 1;
+        self.full_blocks.push(UncompressedBlock { index, data });
+    }
+
+    fn write_blocks(&mut self) -> Result<(), EncodeError> {
+        let headers = std::slice::from_ref(&self.header);
+        let blocks = std::mem::take(&mut self.full_blocks);
+        let chunks: Vec<Chunk> = blocks
+            .into_par_iter()
+            .map(|block| block.compress_to_chunk(headers))
+            .collect::<Result<_, _>>()
+            .map_err(refused)?;
+        for chunk in &chunks {
+            let CompressedBlock::ScanLine(lines) = &chunk.compressed_block else {
+                return Err(refused("a block that is not of scan lines"));
+            };
+            self.offsets.push(self.position);
+            self.position += BLOCK_HEAD_BYTES + lines.compressed_pixels_le.len() as u64;
+            chunk.write(&mut self.sink, 1).map_err(from_library)?;
+        }
+        Ok(())
+    }
+}
+
+impl BandWriter for ExrEncoder {
+    fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
+        self.write_with_layers(rows, &[])
+    }
+
+    fn finish(mut self: Box<Self>) -> Result<(), EncodeError> {
+        self.rows.check_complete()?;
+        if !self.block.is_empty() {
+            self.end_block();
+        }
+        self.write_blocks()?;
+        if self.sink.can_patch() {
+            let mut table = Vec::with_capacity(8 * self.offsets.len());
+            write_table(&mut table, &self.offsets)?;
+            self.sink.patch(self.table_start, &table)?;
+        }
+        Ok(self.sink.commit()?)
+    }
+}
+
+/// The channels in the order of the file, which is by name; each says where it comes from.
+fn channel_order(layers: &ExrLayers) -> Result<Vec<usize>, EncodeError> {
+    for name in &layers.names {
+        // Longer names need a later version of the format.
+        if name.is_empty() || name.len() > 31 || name.contains('\0') {
+            let message = format!("`{name}` is no name of 1 to 31 bytes");
+            return Err(EncodeError::Layers(message));
+        }
+    }
+    let mut order: Vec<usize> = (0..COLOR_NAMES.len() + layers.names.len()).collect();
+    order.sort_by_key(|&source| source_name(layers, source));
+    for pair in order.windows(2) {
+        let name = source_name(layers, pair[0]);
+        if name == source_name(layers, pair[1]) {
+            return Err(EncodeError::Layers(format!("two channels are named `{name}`")));
+        }
+    }
+    Ok(order)
+}
+
+fn source_name(layers: &ExrLayers, source: usize) -> &str {
+    match COLOR_NAMES.get(source) {
+        Some(name) => name,
+        None => &layers.names[source - COLOR_NAMES.len()],
+    }
+}
+
+fn make_header(size: PictureSize, layers: &ExrLayers, sources: &[usize], compressed: bool) -> Header {
+    let channels = sources
+        .iter()
+        .map(|&source| {
+            let name = Text::new_or_panic(source_name(layers, source));
+            ChannelDescription::named(name, SampleType::F32)
+        })
+        .collect();
+    let compression = if compressed { Compression::ZIP16 } else { Compression::Uncompressed };
+    let size = Vec2(size.width as usize, size.height as usize);
+    let mut header = Header::new(Text::default(), size, channels).with_encoding(
+        compression,
+        BlockDescription::ScanLines,
+        LineOrder::Increasing,
+    );
+    // A file of one part needs no name for it.
+    header.own_attributes.layer_name = None;
+    header
+}
+
+/// Everything before the table of offsets.
+fn header_bytes(header: &Header) -> Result<Vec<u8>, EncodeError> {
+    let headers = std::slice::from_ref(header);
+    let requirements = MetaData::validate(headers, true).map_err(refused)?;
+    let mut bytes = Vec::new();
+    magic_number::write(&mut bytes).map_err(refused)?;
+    requirements.write(&mut bytes).map_err(refused)?;
+    Header::write_all(headers, &mut bytes, false).map_err(refused)?;
+    Ok(bytes)
+}
+
+/// Offsets of blocks of one uncompressed row.
+fn plain_offsets(table_start: u64, size: PictureSize, row_bytes: usize) -> Vec<u64> {
+    let first = table_start + 8 * u64::from(size.height);
+    (0..u64::from(size.height)).map(|y| first + y * (BLOCK_HEAD_BYTES + row_bytes as u64)).collect()
+}
+
+fn write_table(sink: &mut impl Write, table: &[u64]) -> std::io::Result<()> {
+    table.iter().try_for_each(|offset| sink.write_all(&offset.to_le_bytes()))
+}
+
+fn refused(error: impl ToString) -> EncodeError {
+    EncodeError::Library { format: "EXR", message: error.to_string() }
+}
+
+fn from_library(error: exr::error::Error) -> EncodeError {
+    match error {
+        exr::error::Error::Io(error) => error.into(),
+        other => refused(other),
+    }
+}

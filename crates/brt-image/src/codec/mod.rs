@@ -1,0 +1,29 @@
+//! Picture files: encoders fed by bands of rows, and decoders of whole pictures.
+//!
+//! Encoders hold O(width) memory, whatever the height.
+
+mod error;
+mod exr_read;
+mod exr_write;
+mod format;
+mod latch;
+mod png_read;
+mod png_write;
+mod pnm_read;
+mod pnm_write;
+mod read;
+mod rows;
+mod sink;
+mod target;
+
+#[cfg(test)]
+mod mutation_tests;
+#[cfg(test)]
+mod round_trip_tests;
+
+pub use error::{DecodeError, DecodeProblem, EncodeError};
+pub use exr_write::{ExrEncoder, ExrLayers};
+pub use format::{BandWriter, BitDepth, Encoding, PictureFormat, encoder};
+pub use read::{PictureLimits, decode_picture, read_picture};
+pub use sink::{PlainSink, Sink};
+pub use target::{AtomicFile, Target};

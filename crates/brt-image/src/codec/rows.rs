@@ -1,0 +1,61 @@
+//! Counts the rows an encoder has been given.
+
+use super::error::EncodeError;
+use crate::PictureSize;
+
+/// How much of a picture has come.
+#[derive(Debug)]
+pub(crate) struct RowCount {
+    size: PictureSize,
+    given: u64,
+}
+
+impl RowCount {
+    /// Nothing has come yet.
+    ///
+    /// # Errors
+    /// If the picture is empty or larger than `format` can hold: sides are signed 32-bit
+    /// numbers in PNG and EXR.
+    pub(crate) fn new(size: PictureSize, format: &'static str) -> Result<Self, EncodeError> {
+        let fits = |side| (1..=i32::MAX as u32).contains(&side);
+        if fits(size.width) && fits(size.height) {
+            Ok(Self { size, given: 0 })
+        } else {
+            Err(EncodeError::Size { size, format })
+        }
+    }
+
+    /// Pixels in a row.
+    pub(crate) fn width(&self) -> usize {
+        self.size.width as usize
+    }
+
+    /// Takes note of a band.
+    ///
+    /// # Errors
+    /// If it is no number of whole rows, or too many.
+    pub(crate) fn add(&mut self, pixels: usize) -> Result<(), EncodeError> {
+        let Self { size, given } = self;
+        if !pixels.is_multiple_of(size.width as usize) {
+            return Err(EncodeError::PartialRow { pixels, width: size.width });
+        }
+        *given += (pixels / size.width as usize) as u64;
+        if *given > u64::from(size.height) {
+            return Err(EncodeError::RowCount { expected: size.height, given: *given });
+        }
+        Ok(())
+    }
+
+    /// Has the whole picture come?
+    ///
+    /// # Errors
+    /// If rows are missing.
+    pub(crate) fn check_complete(&self) -> Result<(), EncodeError> {
+        let Self { size, given } = *self;
+        if given == u64::from(size.height) {
+            Ok(())
+        } else {
+            Err(EncodeError::RowCount { expected: size.height, given })
+        }
+    }
+}
