@@ -27,7 +27,7 @@ pub fn depth_color(depth: f64, nearest: f64, farthest: f64) -> [f32; 3] {
         return [0.0; 3];
     }
     // The farthest surface must still differ from the black of nothing.
-    const DARKEST: f64 = 0.1;
+    const DARKEST: f64 = 0.12;
     let span = farthest - nearest;
     let part = if span > 0.0 { ((depth - nearest) / span).clamp(0.0, 1.0) } else { 0.0 };
     [Transfer::Srgb.decode(1.0 - (1.0 - DARKEST) * part) as f32; 3]
@@ -69,9 +69,9 @@ mod tests {
     #[test]
     fn depth_darkens_from_white_and_nothing_is_black() {
         assert_eq!(codes(depth_color(1.0, 1.0, 3.0)), [255; 3]);
-        // Half way: 255 * (1 - 0.9 / 2) = 140.25.
-        assert_eq!(codes(depth_color(2.0, 1.0, 3.0)), [140; 3]);
-        assert_eq!(codes(depth_color(3.0, 1.0, 3.0)), [26; 3]);
+        // Half way: 255 * (1 - 0.88 / 2) = 142.8.
+        assert_eq!(codes(depth_color(2.0, 1.0, 3.0)), [143; 3]);
+        assert_eq!(codes(depth_color(3.0, 1.0, 3.0)), [31; 3]);
         assert_eq!(codes(depth_color(f64::INFINITY, 1.0, 3.0)), [0; 3]);
         assert_eq!(codes(depth_color(f64::NAN, 1.0, 3.0)), [0; 3]);
         assert_eq!(codes(depth_color(1.0, 1.0, 1.0)), [255; 3]);

@@ -27,8 +27,7 @@ impl Transfer {
     /// Not a number becomes 0.
     #[doc(alias = "gamma")]
     pub fn encode(self, linear: f64) -> f64 {
-        // `max` first: it turns not-a-number into 0.
-        let c = linear.max(0.0).min(1.0);
+        let c = clamped(linear);
         match self {
             Self::Linear => c,
             Self::Srgb if c <= SRGB_CUT => SRGB_SLOPE * c,
@@ -40,7 +39,7 @@ impl Transfer {
     ///
     /// Not a number becomes 0.
     pub fn decode(self, stored: f64) -> f64 {
-        let e = stored.max(0.0).min(1.0);
+        let e = clamped(stored);
         match self {
             Self::Linear => e,
             Self::Srgb if e <= SRGB_ENCODED_CUT => e / SRGB_SLOPE,
@@ -71,6 +70,11 @@ impl Transfer {
             Self::Srgb => quantize::srgb_16(linear, codes),
         }
     }
+}
+
+/// The value clamped to \[0, 1\]; not a number becomes 0.
+fn clamped(value: f64) -> f64 {
+    if value > 0.0 { value.min(1.0) } else { 0.0 }
 }
 
 #[cfg(test)]

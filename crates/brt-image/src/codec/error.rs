@@ -95,7 +95,7 @@ pub enum DecodeProblem {
 
 impl DecodeProblem {
     /// The file is damaged in the way `message` says.
-    pub(crate) fn malformed(format: &'static str, message: impl ToString) -> Self {
-        Self::Malformed { format, message: message.to_string() }
+    pub(crate) fn malformed(format: &'static str, message: impl Into<String>) -> Self {
+        Self::Malformed { format, message: message.into() }
     }
 }

@@ -67,6 +67,6 @@ fn problem(error: Error) -> DecodeProblem {
     match error {
         Error::Io(error) => error.into(),
         Error::NotSupported(what) => DecodeProblem::Unsupported(what.into_owned()),
-        other => DecodeProblem::malformed("EXR", other),
+        other => DecodeProblem::malformed("EXR", other.to_string()),
     }
 }

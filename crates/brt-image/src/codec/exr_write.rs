@@ -171,10 +171,10 @@ impl ExrEncoder {
             .into_par_iter()
             .map(|block| block.compress_to_chunk(headers))
             .collect::<Result<_, _>>()
-            .map_err(refused)?;
+            .map_err(|e| refused(&e))?;
         for chunk in &chunks {
             let CompressedBlock::ScanLine(lines) = &chunk.compressed_block else {
-                return Err(refused("a block that is not of scan lines"));
+                return Err(refused(&"a block that is not of scan lines"));
             };
             self.offsets.push(self.position);
             self.position += BLOCK_HEAD_BYTES + lines.compressed_pixels_le.len() as u64;
@@ -254,11 +254,11 @@ fn make_header(size: PictureSize, layers: &ExrLayers, sources: &[usize], compres
 /// Everything before the table of offsets.
 fn header_bytes(header: &Header) -> Result<Vec<u8>, EncodeError> {
     let headers = std::slice::from_ref(header);
-    let requirements = MetaData::validate(headers, true).map_err(refused)?;
+    let requirements = MetaData::validate(headers, true).map_err(|e| refused(&e))?;
     let mut bytes = Vec::new();
-    magic_number::write(&mut bytes).map_err(refused)?;
-    requirements.write(&mut bytes).map_err(refused)?;
-    Header::write_all(headers, &mut bytes, false).map_err(refused)?;
+    magic_number::write(&mut bytes).map_err(|e| refused(&e))?;
+    requirements.write(&mut bytes).map_err(|e| refused(&e))?;
+    Header::write_all(headers, &mut bytes, false).map_err(|e| refused(&e))?;
     Ok(bytes)
 }
 
@@ -272,13 +272,13 @@ fn write_table(sink: &mut impl Write, table: &[u64]) -> std::io::Result<()> {
     table.iter().try_for_each(|offset| sink.write_all(&offset.to_le_bytes()))
 }
 
-fn refused(error: impl ToString) -> EncodeError {
+fn refused(error: &dyn std::fmt::Display) -> EncodeError {
     EncodeError::Library { format: "EXR", message: error.to_string() }
 }
 
 fn from_library(error: exr::error::Error) -> EncodeError {
     match error {
         exr::error::Error::Io(error) => error.into(),
-        other => refused(other),
+        other => refused(&other),
     }
 }

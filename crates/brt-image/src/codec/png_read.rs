@@ -56,6 +56,6 @@ fn samples(bytes: &[u8], frame: &OutputInfo, channels: usize) -> Result<Samples,
 fn problem(error: DecodingError) -> DecodeProblem {
     match error {
         DecodingError::IoError(error) => error.into(),
-        other => DecodeProblem::malformed("PNG", other),
+        other => DecodeProblem::malformed("PNG", other.to_string()),
     }
 }

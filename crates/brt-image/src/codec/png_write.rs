@@ -65,14 +65,14 @@ impl PngEncoder {
         let stream = png
             .write_header()
             .and_then(|header| header.into_stream_writer_with_size(CHUNK_BYTES))
-            .map_err(refused)?;
+            .map_err(|e| refused(&e))?;
         latch.check()?;
         Ok(Self { stream, latch, rows, samples: SampleBytes::new(depth, transfer) })
     }
 }
 
 /// The sink never fails in the library's eyes, so this is the library's own complaint.
-fn refused(error: impl ToString) -> EncodeError {
+fn refused(error: &dyn std::fmt::Display) -> EncodeError {
     EncodeError::Library { format: "PNG", message: error.to_string() }
 }
 
@@ -81,7 +81,7 @@ impl BandWriter for PngEncoder {
         self.rows.add(rows.len())?;
         let Self { stream, latch, samples, .. } = self;
         samples.for_each_part(rows, |bytes| {
-            stream.write_all(bytes).map_err(refused)?;
+            stream.write_all(bytes).map_err(|e| refused(&e))?;
             Ok(latch.check()?)
         })
     }
@@ -90,7 +90,7 @@ impl BandWriter for PngEncoder {
         let Self { stream, latch, rows, .. } = *self;
         rows.check_complete()?;
         // Finishing drops the library's handle, which writes the end of the file.
-        stream.finish().map_err(refused)?;
+        stream.finish().map_err(|e| refused(&e))?;
         Ok(latch.commit()?)
     }
 }
