@@ -46,15 +46,25 @@ pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), Par
 
 /// An upper bound on the number of tokens: the tree of values costs memory for each of them.
 fn most_words(bytes: &[u8]) -> u64 {
-    let mut count = 1;
-    let mut in_word = false;
+    #[derive(Clone, Copy, PartialEq)]
+    enum Kind {
+        Word,
+        Blank,
+        Mark,
+    }
+    let kind = |byte: u8| match byte {
+        b' ' | b'\t' => Kind::Blank,
+        b'_' | b'-' | b'+' | 0x80.. => Kind::Word,
+        _ if byte.is_ascii_alphanumeric() => Kind::Word,
+        _ => Kind::Mark,
+    };
+    let mut previous = Kind::Mark;
+    let mut count = 0;
     for &byte in bytes {
-        let starts_word = byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-' | b'+' | 0x80..);
-        // Blanks and words count once a run, every mark by itself.
-        let blank = matches!(byte, b' ' | b'\t');
-        count += u64::from(!(starts_word && in_word) && !blank);
-        count += u64::from(blank && in_word);
-        in_word = starts_word;
+        let kind = kind(byte);
+        // Words and blanks count once a run, every mark by itself.
+        count += u64::from(kind == Kind::Mark || kind != previous);
+        previous = kind;
     }
     count
 }

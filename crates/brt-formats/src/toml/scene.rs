@@ -60,7 +60,10 @@ pub(super) fn read_scene<'v, 'a>(
     scene.background = fields.or("background", Rgb::BLACK, color).unwrap_or(Rgb::BLACK);
     match fields.value("camera") {
         Some(value) => scene.camera = read_camera(value, fields.problems).unwrap_or(scene.camera),
-        None => fields.missing("[camera]").unwrap_or(()),
+        None => {
+            let message = "the file has no camera";
+            fields.problems.push(Diagnostic::error(message, None).expecting("a table [camera]"));
+        }
     }
     if let Some(size) = scene.size {
         counter.picture(size)?;
