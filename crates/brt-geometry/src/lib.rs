@@ -5,12 +5,24 @@
 //! This page owns every tolerance of the project; no other file may contain one. None of them takes part in the
 //! decision whether a ray hits: a ray that leaves a primitive skips the root at its origin instead of an epsilon.
 
+mod aabb;
+mod bvh;
 mod polygon_plane;
+mod primitives;
+mod ray;
 mod real;
+mod taylor;
+mod triangulate;
 mod vec3;
 
+pub use aabb::Aabb;
+pub use bvh::{Bvh, Traversal};
 pub use polygon_plane::{PolygonPlane, polygon_plane};
+pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
+pub use ray::{Hit, Ray, Start};
 pub use real::{Mask, Real, power_by_squaring};
+pub use taylor::{Taylor, Trilean};
+pub use triangulate::{is_convex, triangulate};
 pub use vec3::{Vec3, vec3};
 
 /// Directions closer than this (in radians) count as parallel when a scene is checked.
@@ -21,3 +33,11 @@ pub const POLYGON_FLATNESS: f64 = 1e-3;
 
 /// Facets of a mesh without normals belong to one surface if their normals differ by less (in radians).
 pub const FACET_ANGLE: f64 = 1e-6;
+
+/// Boxes in the BVH grow by this share of the whole scene's size on each side: far more than the rounding of any
+/// hit, far less than anything seen.
+pub const BOX_MARGIN: f64 = 1e-6;
+
+/// Depths and projected outlines are widened by this share (of the distance, and of a sample) when they only serve
+/// to leave out what cannot be seen.
+pub const PROJECTION_MARGIN: f64 = 1e-6;

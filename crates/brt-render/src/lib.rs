@@ -1,1 +1,30 @@
-//! In preparation.
+//! Rendering: from a scene to rows of a picture.
+//!
+//! [`render`] reads like the paper's summary: a perspective image is made without rays, it chooses the samples that
+//! are traced, and the others are filled. This crate does no input or output and prints nothing. The same settings
+//! give the same bytes for every number of threads and every order of tiles.
+
+mod filling;
+mod methods;
+mod perspective;
+mod picture;
+mod prepare;
+mod products;
+mod render;
+mod run;
+mod schedule;
+mod settings;
+mod tracing;
+
+pub use methods::{
+    BorderSettings, DeviationDelta, DifferenceDelta, Judge, PixelSelectedSettings, Regions, VarianceDelta,
+};
+pub use picture::{Filter, Layer, LayerRows, Rows, Sink, SinkError};
+pub use prepare::{PreparedCamera, prepare};
+pub use products::{
+    BlockCounts, PixelCounts, PreparedScene, RayCounts, RayHistory, SampleGrid, SampleState, Seconds, Stats,
+    Surface,
+};
+pub use render::{RenderError, render};
+pub use run::{Progress, Run, TileOrder};
+pub use settings::{Accelerator, HistoryKind, Method, Samples, Settings};

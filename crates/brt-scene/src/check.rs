@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
 
 /// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
-pub const GREATEST_COORDINATE: f64 = 1e30;
+pub(crate) const GREATEST_COORDINATE: f64 = 1e30;
 
 /// A part of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,45 @@
+//! A tree of boxes with four children a node.
+//!
+//! obvhs builds a binary tree (PLOC with reinsertion; Meister, Bittner 2018) over boxes rounded outward to `f32`,
+//! which [`build`] folds into nodes of four. Traversal is ours, because obvhs's rays are `f32` and lose hits: here a
+//! node is entered whenever an exact ray could touch it, and the primitives decide in `f64`.
+
+mod build;
+mod traverse;
+
+pub use traverse::Traversal;
+
+use crate::Vec3;
+
+/// A bounding volume hierarchy over boxes with indices.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    nodes: Vec<Node>,
+    /// Indices of the boxes, leaf by leaf.
+    items: Vec<u32>,
+    /// Node coordinates are relative to this point, so that scenes far from the origin lose no precision.
+    center: Vec3,
+}
+
+/// Four children side by side, so that one instruction serves all of them.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+struct Node {
+    /// Lower and upper planes of the children's boxes: `planes[side][axis][child]`.
+    planes: [[[f32; 4]; 3]; 2],
+    child: [Child; 4],
+}
+
+/// What hangs below: an inner node, or `count` items from `first`.
+#[derive(Clone, Copy, Debug)]
+struct Child {
+    first: u32,
+    count: u32,
+}
+
+impl Node {
+    const EMPTY: Self = Self {
+        planes: [[[f32::INFINITY; 4]; 3], [[f32::NEG_INFINITY; 4]; 3]],
+        child: [Child { first: 0, count: 0 }; 4],
+    };
+}

@@ -1,0 +1,74 @@
+//! Circular cones and frusta without their caps, which are discs.
+
+use super::disc::circle_extent;
+use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
+
+/// The curved side of a cone or frustum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// One end of the axis.
+    pub base: Vec3,
+    /// Unit vector along the axis, away from the base.
+    pub axis: Vec3,
+    /// Length of the axis, > 0.
+    pub height: f64,
+    /// Radius at the base, ≥ 0.
+    pub base_radius: f64,
+    /// Growth of the radius per unit of the axis.
+    pub slope: f64,
+}
+
+impl Cone {
+    /// The nearest hit ahead.
+    #[inline(always)]
+    pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
+        let axis = self.axis.lift::<R>();
+        let slope = R::constant(self.slope);
+        let from_base = ray.origin - self.base.lift();
+        let (height, climb) = (from_base.dot(axis), ray.direction.dot(axis));
+        let across = ray.direction - axis * climb;
+        let from_axis = from_base - axis * height;
+        let (radius, widening) = (R::constant(self.base_radius) + slope * height, slope * climb);
+        let a = across.length_squared() - widening * widening;
+        let b = from_axis.dot(across) - radius * widening;
+        let zero = R::constant(0.0);
+        // Between its ends the radius is not negative, so the other nappe never counts.
+        let on_side = |t: R| {
+            let h = height + climb * t;
+            Hit::at(t, h.ge(zero) & h.le(R::constant(self.height)))
+        };
+        if start == Start::OnPrimitive {
+            return on_side(R::constant(-2.0) * b / a);
+        }
+        let c = from_axis.length_squared() - radius * radius;
+        let discriminant = b * b - a * c;
+        let meets = discriminant.ge(zero);
+        if !meets.any() {
+            return Hit::none();
+        }
+        let root = discriminant.max(zero).sqrt();
+        // q has no cancellation and the second root stays finite where a vanishes (ray along the side).
+        let q = R::select(b.lt(zero), root - b, -b - root);
+        let hit = on_side(q / a).nearer(on_side(c / q));
+        Hit { found: hit.found & meets, t: hit.t }
+    }
+
+    /// Unit normal at a point of it, outward.
+    #[inline(always)]
+    pub fn normal_at<R: Real>(&self, point: Vec3<R>) -> Vec3<R> {
+        let axis = self.axis.lift::<R>();
+        let from_base = point - self.base.lift();
+        let across = from_base - axis * from_base.dot(axis);
+        let outward = across - axis * (across.length() * R::constant(self.slope));
+        outward.normalize()
+    }
+
+    /// A box around it.
+    pub fn bounds(&self) -> Aabb {
+        let extent = circle_extent(self.axis);
+        let top_radius = self.base_radius + self.slope * self.height;
+        let top = self.base + self.axis * self.height;
+        Aabb::around(self.base, extent * self.base_radius)
+            .union(Aabb::around(top, extent * top_radius.max(0.0)))
+    }
+}

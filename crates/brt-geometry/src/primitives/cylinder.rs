@@ -1,0 +1,62 @@
+//! Circular cylinders without their caps, which are discs.
+
+use super::disc::circle_extent;
+use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
+
+/// The curved side of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder {
+    /// One end of the axis.
+    pub base: Vec3,
+    /// Unit vector along the axis, away from the base.
+    pub axis: Vec3,
+    /// Length of the axis, > 0.
+    pub height: f64,
+    /// Radius, > 0.
+    pub radius: f64,
+}
+
+impl Cylinder {
+    /// The nearest hit ahead.
+    #[inline(always)]
+    pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
+        let axis = self.axis.lift::<R>();
+        let from_base = ray.origin - self.base.lift();
+        let (height, climb) = (from_base.dot(axis), ray.direction.dot(axis));
+        let across = ray.direction - axis * climb;
+        let from_axis = from_base - axis * height;
+        let a = across.length_squared();
+        let b = from_axis.dot(across);
+        let zero = R::constant(0.0);
+        let on_side = |t: R| {
+            let h = height + climb * t;
+            Hit::at(t, h.ge(zero) & h.le(R::constant(self.height)))
+        };
+        if start == Start::OnPrimitive {
+            return on_side(R::constant(-2.0) * b / a);
+        }
+        let c = from_axis.length_squared() - R::constant(self.radius * self.radius);
+        let discriminant = b * b - a * c;
+        let meets = discriminant.ge(zero);
+        if !meets.any() {
+            return Hit::none();
+        }
+        let root = discriminant.max(zero).sqrt();
+        let hit = on_side((-b - root) / a).nearer(on_side((root - b) / a));
+        Hit { found: hit.found & meets, t: hit.t }
+    }
+
+    /// Unit normal at a point of it, away from the axis.
+    #[inline(always)]
+    pub fn normal_at<R: Real>(&self, point: Vec3<R>) -> Vec3<R> {
+        let axis = self.axis.lift::<R>();
+        let from_base = point - self.base.lift();
+        (from_base - axis * from_base.dot(axis)) * R::constant(1.0 / self.radius)
+    }
+
+    /// A box around it.
+    pub fn bounds(&self) -> Aabb {
+        let end = circle_extent(self.axis) * self.radius;
+        Aabb::around(self.base, end).union(Aabb::around(self.base + self.axis * self.height, end))
+    }
+}

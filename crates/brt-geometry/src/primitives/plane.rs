@@ -1,0 +1,30 @@
+//! Infinite planes.
+
+use crate::{Hit, Mask, Ray, Real, Start, Vec3};
+
+/// All points p with `normal · p = distance`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Unit normal.
+    pub normal: Vec3,
+    /// Signed distance from the origin of space.
+    pub distance: f64,
+}
+
+impl Plane {
+    /// The plane through a point.
+    pub fn through(point: Vec3, normal: Vec3) -> Self {
+        Self { normal, distance: normal.dot(point) }
+    }
+
+    /// The nearest hit ahead.
+    #[inline(always)]
+    pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
+        if start == Start::OnPrimitive {
+            return Hit::none();
+        }
+        let n = self.normal.lift();
+        let ahead = R::constant(self.distance) - n.dot(ray.origin);
+        Hit::at(ahead / n.dot(ray.direction), R::Mask::TRUE)
+    }
+}

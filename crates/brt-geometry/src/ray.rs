@@ -1,0 +1,74 @@
+//! Rays and what they hit.
+
+use crate::{Mask, Real, Vec3};
+
+/// A half-line. The direction has any length; distances along it are in units of that length.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray<R = f64> {
+    /// Where it starts.
+    pub origin: Vec3<R>,
+    /// Where it goes, not normalised.
+    pub direction: Vec3<R>,
+    /// `direction · direction`
+    pub dd: R,
+    /// `1 / dd`
+    pub inv_dd: R,
+}
+
+impl<R: Real> Ray<R> {
+    /// The ray from `origin` along `direction`.
+    #[inline(always)]
+    pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Self {
+        let dd = direction.length_squared();
+        Self { origin, direction, dd, inv_dd: R::constant(1.0) / dd }
+    }
+
+    /// The point at distance `t`.
+    #[inline(always)]
+    pub fn at(&self, t: R) -> Vec3<R> {
+        self.origin + self.direction * t
+    }
+}
+
+/// The nearest point of a primitive ahead of a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit<R: Real = f64> {
+    /// Is there one? Where not, `t` means nothing.
+    pub found: R::Mask,
+    /// Its distance in units of the ray's direction, above 0 and finite.
+    pub t: R,
+}
+
+impl<R: Real> Hit<R> {
+    /// No hit.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { found: R::Mask::FALSE, t: R::constant(f64::INFINITY) }
+    }
+
+    /// A hit at `t` where `valid` and `t` is ahead.
+    #[inline(always)]
+    pub fn at(t: R, valid: R::Mask) -> Self {
+        let ahead = t.gt(R::constant(0.0)) & t.lt(R::constant(f64::INFINITY));
+        Self { found: valid & ahead, t }
+    }
+
+    /// The nearer of two hits.
+    #[inline(always)]
+    pub fn nearer(self, other: Self) -> Self {
+        let first = self.found & (self.t.le(other.t) | !other.found);
+        Self { found: self.found | other.found, t: R::select(first, self.t, other.t) }
+    }
+}
+
+/// Does a ray start on the primitive that it is tested with?
+///
+/// A ray that leaves a primitive skips the root at its origin and no other: flat primitives are not hit again, a
+/// sphere is where the ray comes out on its other side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// It starts anywhere else.
+    Elsewhere,
+    /// It starts on this primitive.
+    OnPrimitive,
+}

@@ -1,0 +1,77 @@
+//! May the samples between four traced ones be interpolated? Paper: P5, P6, reading 2.
+//!
+//! Brightness is the mean of the clamped linear RGB in levels of 255. The three thresholds are types of their own: 16
+//! levels² of variance is a standard deviation of 4 levels, so they must not be compared "at equal Δ".
+
+/// Greatest variance of the four brightness values, in levels². The paper's wording.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct VarianceDelta(pub f64);
+
+/// Greatest standard deviation of the four brightness values, in levels. What the paper's figures speak for.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct DeviationDelta(pub f64);
+
+/// Greatest difference of a brightness value from the mean of the four, in levels: as PSRT and the first BRT judged.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct DifferenceDelta(pub f64);
+
+/// How brightness is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Judge {
+    /// By the variance.
+    Variance(VarianceDelta),
+    /// By the standard deviation.
+    Deviation(DeviationDelta),
+    /// By the difference from the mean.
+    Difference(DifferenceDelta),
+}
+
+impl Judge {
+    /// Are four colours (linear RGB) even enough to interpolate between them?
+    pub(super) fn accepts(&self, colors: &[[f32; 3]; 4]) -> bool {
+        let values = colors.map(|c| brightness(&c));
+        let mean = 0.25 * (values[0] + values[1] + values[2] + values[3]);
+        match *self {
+            Self::Variance(VarianceDelta(delta)) => variance(&values, mean) <= delta,
+            Self::Deviation(DeviationDelta(delta)) => variance(&values, mean) <= delta * delta,
+            Self::Difference(DifferenceDelta(delta)) => values.iter().all(|v| (v - mean).abs() <= delta),
+        }
+    }
+}
+
+/// Mean of the clamped linear RGB, in levels of 255.
+pub(super) fn brightness(color: &[f32; 3]) -> f64 {
+    let level = |c: f32| f64::from(c.clamp(0.0, 1.0));
+    (level(color[0]) + level(color[1]) + level(color[2])) * 85.0
+}
+
+fn variance(values: &[f64; 4], mean: f64) -> f64 {
+    let square = |v: f64| (v - mean) * (v - mean);
+    0.25 * (square(values[0]) + square(values[1]) + square(values[2]) + square(values[3]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grey(level: f32) -> [f32; 3] {
+        [level / 255.0; 3]
+    }
+
+    #[test]
+    fn the_three_judgements_by_hand() {
+        // 0, 0, 8, 8: mean 4, variance 16, deviation 4, greatest difference 4
+        let colors = [grey(0.0), grey(0.0), grey(8.0), grey(8.0)];
+        assert!(Judge::Variance(VarianceDelta(16.01)).accepts(&colors));
+        assert!(!Judge::Variance(VarianceDelta(15.9)).accepts(&colors));
+        assert!(Judge::Deviation(DeviationDelta(4.01)).accepts(&colors));
+        assert!(!Judge::Deviation(DeviationDelta(3.99)).accepts(&colors));
+        assert!(Judge::Difference(DifferenceDelta(4.01)).accepts(&colors));
+        assert!(!Judge::Difference(DifferenceDelta(3.99)).accepts(&colors));
+    }
+
+    #[test]
+    fn light_beyond_white_does_not_count() {
+        assert_eq!(brightness(&[2.0, -1.0, 1.0]), 170.0);
+    }
+}

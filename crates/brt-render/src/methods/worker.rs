@@ -1,0 +1,79 @@
+//! What every method works with on a tile: samples that are traced at most once.
+
+use crate::picture::Layer;
+use crate::prepare::PreparedCamera;
+use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock, Tile, TileSamples};
+use crate::render::Job;
+use crate::settings::Settings;
+use crate::tracing::{FirstHit, Tracer};
+
+/// A thread's tracer and buffers, reused from tile to tile.
+pub(crate) struct TileWorker<'a> {
+    pub(crate) tracer: Tracer<'a>,
+    pub(crate) camera: &'a PreparedCamera,
+    pub(crate) samples: TileSamples,
+    pub(crate) perspective: PerspectiveImage,
+    /// Are histories of filled samples wanted?
+    pub(crate) wants_histories: bool,
+}
+
+/// Where a first hit comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum First {
+    /// From a search along the ray.
+    Searched,
+    /// From the perspective image.
+    Shown,
+}
+
+impl<'a> TileWorker<'a> {
+    pub(crate) fn new(job: &Job<'a>) -> Self {
+        let Settings { accelerator, history, layers, .. } = job.settings;
+        Self {
+            tracer: Tracer::new(job.scene, *accelerator, *history, job.max_depth),
+            camera: job.camera,
+            samples: TileSamples::default(),
+            perspective: PerspectiveImage::default(),
+            wants_histories: layers.contains(&Layer::History),
+        }
+    }
+
+    /// Traces a sample of the tile unless that was done before.
+    #[inline]
+    pub(super) fn trace(&mut self, tile: &Tile, x: u32, y: u32, first: First) {
+        let index = tile.index(x, y);
+        if self.samples.state[index] == SampleState::Traced {
+            return;
+        }
+        let first = match first {
+            First::Searched => FirstHit::Search,
+            First::Shown => FirstHit::Known(self.perspective.primitive[index]),
+        };
+        let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+        let traced = self.tracer.trace(&ray, first);
+        self.samples.color[index] = traced.color.to_f32();
+        self.samples.history[index] = traced.history;
+        self.samples.state[index] = SampleState::Traced;
+    }
+
+    /// Gives the filled samples of a block the history of the sample that they were filled from, if that is wanted.
+    pub(super) fn note_history(&mut self, tile: &Tile, block: &Block, [x, y]: [u32; 2]) {
+        if !self.wants_histories {
+            return;
+        }
+        let history = self.samples.history[tile.index(x, y)];
+        for y in block.y0..=block.y1 {
+            for x in block.x0..=block.x1 {
+                let index = tile.index(x, y);
+                if self.samples.state[index] == SampleState::Filled {
+                    self.samples.history[index] = history;
+                }
+            }
+        }
+    }
+
+    /// Adds the time since the last lap to one of the stages.
+    pub(super) fn lap(&mut self, clock: &mut StageClock, stage: impl FnOnce(&mut Counters) -> &mut f64) {
+        clock.lap(stage(&mut self.tracer.counters));
+    }
+}

@@ -1,0 +1,156 @@
+//! Where on the picture a primitive can be at most.
+
+use brt_geometry::{PROJECTION_MARGIN, Primitive, Vec3};
+
+use crate::prepare::PreparedCamera;
+use crate::products::{PreparedScene, SampleGrid};
+
+/// A rectangle of samples that a primitive does not leave, and the least depth at which it is met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Outline {
+    pub(crate) primitive: u32,
+    /// First and last sample column and row.
+    pub(crate) x: [u32; 2],
+    pub(crate) y: [u32; 2],
+    /// No hit is nearer than this.
+    pub(crate) nearest: f64,
+}
+
+/// Outlines of all primitives that can be seen, by band.
+pub(crate) struct Outlines {
+    outlines: Vec<Outline>,
+    /// Positions in `outlines`, band after band.
+    order: Vec<u32>,
+    /// Where each band's part of `order` starts; one more at the end.
+    starts: Vec<usize>,
+}
+
+/// Outlines of one band, by tile.
+pub(crate) struct BandOutlines {
+    outlines: Vec<Outline>,
+    starts: Vec<usize>,
+}
+
+impl Outlines {
+    /// Projects all primitives.
+    pub(crate) fn new(scene: &PreparedScene, camera: &PreparedCamera, grid: &SampleGrid) -> Self {
+        let outlines: Vec<Outline> = (0_u32..)
+            .zip(&scene.primitives)
+            .filter_map(|(id, primitive)| outline_of(id, primitive, camera, grid))
+            .collect();
+        let band_range = |o: &Outline| o.y.map(|y| (y / SampleGrid::TILE) as usize);
+        let (order, starts) = sort_into(grid.bands() as usize, outlines.iter().map(band_range));
+        Self { outlines, order, starts }
+    }
+
+    /// The outlines that a band's tiles may show, by tile and in the order of primitives.
+    pub(crate) fn band(&self, grid: &SampleGrid, band: u32) -> BandOutlines {
+        let mine = &self.order[self.starts[band as usize]..self.starts[band as usize + 1]];
+        let outline = |i: &u32| &self.outlines[*i as usize];
+        let tile_range = |i: &u32| outline(i).x.map(|x| (x / SampleGrid::TILE) as usize);
+        let (order, starts) = sort_into(grid.tiles_wide() as usize, mine.iter().map(tile_range));
+        let outlines = order.iter().map(|&k| *outline(&mine[k as usize])).collect();
+        BandOutlines { outlines, starts }
+    }
+}
+
+impl BandOutlines {
+    pub(crate) fn tile(&self, column: u32) -> &[Outline] {
+        &self.outlines[self.starts[column as usize]..self.starts[column as usize + 1]]
+    }
+}
+
+/// Distributes items over bins, each into an inclusive range; keeps their order in every bin.
+fn sort_into(bins: usize, ranges: impl Iterator<Item = [usize; 2]> + Clone) -> (Vec<u32>, Vec<usize>) {
+    let mut starts = vec![0; bins + 1];
+    for [first, last] in ranges.clone() {
+        (first..=last).for_each(|bin| starts[bin + 1] += 1);
+    }
+    (0..bins).for_each(|bin| starts[bin + 1] += starts[bin]);
+    let mut next = starts.clone();
+    let mut order = vec![0; starts[bins]];
+    for (index, [first, last]) in ranges.enumerate() {
+        for bin in first..=last {
+            order[next[bin]] = index as u32;
+            next[bin] += 1;
+        }
+    }
+    (order, starts)
+}
+
+/// The outline of a primitive, `None` where it cannot be seen.
+fn outline_of(id: u32, primitive: &Primitive, camera: &PreparedCamera, grid: &SampleGrid) -> Option<Outline> {
+    let last = [grid.samples_wide() - 1, grid.samples_high() - 1];
+    let anywhere = Outline { primitive: id, x: [0, last[0]], y: [0, last[1]], nearest: 0.0 };
+    let hull = primitive.hull();
+    if hull.is_empty() {
+        return Some(anywhere);
+    }
+    let seen: Vec<Seen> = hull.iter().map(|&p| Seen::new(p, camera)).collect();
+    let depth = |s: &Seen| s.depth - s.margin;
+    let nearest = seen.iter().map(depth).fold(f64::INFINITY, f64::min);
+    if seen.iter().all(|s| s.depth + s.margin <= 0.0) {
+        return None;
+    }
+    if camera.is_perspective && nearest <= 0.0 {
+        return Some(anywhere);
+    }
+    let span = |axis: usize| {
+        let positions = seen.iter().map(|s| s.sample_range(axis, camera));
+        let [lo, hi] =
+            positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], [a, b]| [lo.min(a), hi.max(b)]);
+        let (lo, hi) = (lo.ceil().max(0.0), hi.floor().min(f64::from(last[axis])));
+        // Written so that NaN keeps the primitive.
+        if lo > hi { None } else { Some([lo as u32, hi as u32]) }
+    };
+    Some(Outline { x: span(0)?, y: span(1)?, nearest: nearest.max(0.0), ..anywhere })
+}
+
+/// A point in the camera's coordinates.
+struct Seen {
+    right: f64,
+    down: f64,
+    depth: f64,
+    /// Uncertainty of all three.
+    margin: f64,
+}
+
+impl Seen {
+    fn new(point: Vec3, camera: &PreparedCamera) -> Self {
+        let p = point - camera.eye;
+        Self {
+            right: p.dot(camera.right),
+            down: -p.dot(camera.up),
+            depth: p.dot(camera.forward),
+            margin: PROJECTION_MARGIN * (p.x.abs() + p.y.abs() + p.z.abs()),
+        }
+    }
+
+    /// Between which sample columns (axis 0) or rows (axis 1) it lies.
+    fn sample_range(&self, axis: usize, camera: &PreparedCamera) -> [f64; 2] {
+        let offset = if axis == 0 { self.right } else { self.down };
+        let (lo, hi) = (offset - self.margin, offset + self.margin);
+        let [lo, hi] = if camera.is_perspective {
+            // The depth is above its margin here.
+            let (near, far) = (self.depth - self.margin, self.depth + self.margin);
+            [lo / if lo < 0.0 { near } else { far }, hi / if hi < 0.0 { far } else { near }]
+        } else {
+            [lo, hi]
+        };
+        let sample = |position: f64| 0.5 * (position / camera.half_sample - camera.first[axis]);
+        [sample(lo) - PROJECTION_MARGIN, sample(hi) + PROJECTION_MARGIN]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_keep_their_order_in_every_bin() {
+        let ranges = [[0, 2], [1, 1], [2, 2], [0, 0]];
+        let (order, starts) = sort_into(3, ranges.into_iter());
+        assert_eq!(starts, [0, 2, 4, 6]);
+        assert_eq!(order, [0, 3, 0, 1, 0, 2]);
+    }
+}

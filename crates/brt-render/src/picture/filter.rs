@@ -1,0 +1,164 @@
+//! Reconstruction filters: how samples become pixels.
+
+use crate::products::{SampleGrid, Tile};
+
+/// How samples become pixels. Weights of a pixel sum up to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Filter {
+    /// The mean of the pixel's own samples.
+    #[default]
+    Box,
+    /// A Gaussian of standard deviation ½ pixel, cut off 1 pixel from the pixel's middle in each direction.
+    Gaussian,
+}
+
+impl Filter {
+    /// How many pixels beyond its own a sample reaches.
+    fn margin(self) -> u32 {
+        match self {
+            Self::Box => 0,
+            Self::Gaussian => 1,
+        }
+    }
+
+    /// Weight at a distance in pixels along one axis.
+    fn weight(self, distance: f64) -> f64 {
+        match self {
+            Self::Box => f64::from(distance.abs() <= 0.5),
+            Self::Gaussian if distance.abs() <= 1.0 => libm::exp(-2.0 * distance * distance),
+            Self::Gaussian => 0.0,
+        }
+    }
+}
+
+/// Shares of a tile's samples in pixels: its own and, with wide filters, those around it.
+pub(crate) struct TileColors {
+    /// First pixel column and row; may be −1.
+    pub(crate) x: i64,
+    pub(crate) y: i64,
+    pub(crate) width: u32,
+    pub(crate) colors: Vec<[f32; 3]>,
+}
+
+/// Applies the filter to a tile.
+pub(crate) fn reduce(filter: Filter, grid: &SampleGrid, tile: &Tile, samples: &[[f32; 3]]) -> TileColors {
+    let n = grid.per_side;
+    let margin = filter.margin();
+    let (width, height) = (tile.width / n + 2 * margin, tile.height / n + 2 * margin);
+    let (x, y) = (i64::from(tile.x / n) - i64::from(margin), i64::from(tile.y / n) - i64::from(margin));
+    if n == 1 && filter == Filter::Box {
+        return TileColors { x, y, width, colors: samples.to_vec() };
+    }
+    // Separable: first along rows of samples, then down the columns.
+    let along = Axis::new(filter, n, x, width, tile.width, grid.width);
+    let down = Axis::new(filter, n, y, height, tile.height, grid.height);
+    let mut rows = vec![[0.0_f64; 3]; (width * tile.height) as usize];
+    for (row, sums) in samples.chunks_exact(tile.width as usize).zip(rows.chunks_exact_mut(width as usize)) {
+        for share in &along.shares {
+            add(&mut sums[share.pixel], row[share.sample].map(f64::from), share.weight);
+        }
+    }
+    let mut colors = vec![[0.0_f64; 3]; (width * height) as usize];
+    for share in &down.shares {
+        for column in 0..width as usize {
+            let source = rows[share.sample * width as usize + column];
+            add(&mut colors[share.pixel * width as usize + column], source, share.weight);
+        }
+    }
+    let colors = colors.into_iter().map(|c| c.map(|v| v as f32)).collect();
+    TileColors { x, y, width, colors }
+}
+
+#[inline(always)]
+fn add(sum: &mut [f64; 3], value: [f64; 3], weight: f64) {
+    for (s, v) in sum.iter_mut().zip(value) {
+        *s += v * weight;
+    }
+}
+
+/// Weights of samples in pixels along one axis of a tile.
+struct Axis {
+    shares: Vec<Share>,
+}
+
+struct Share {
+    sample: usize,
+    pixel: usize,
+    weight: f64,
+}
+
+impl Axis {
+    /// `first` is the first pixel of `pixels`; the tile has `samples`, the whole picture `picture` pixels.
+    fn new(filter: Filter, n: u32, first: i64, pixels: u32, samples: u32, picture: u32) -> Self {
+        let margin = i64::from(filter.margin());
+        let n = i64::from(n);
+        // Distance from a pixel's middle to the sample `s` of the pixel `offset` further on.
+        let distance = |offset: i64, s: i64| offset as f64 + (s as f64 + 0.5) / n as f64 - 0.5;
+        let mut shares = Vec::new();
+        for pixel in 0..i64::from(pixels) {
+            let place = first + pixel;
+            if !(0..i64::from(picture)).contains(&place) {
+                continue;
+            }
+            let weights = |offset: i64| (0..n).map(move |s| filter.weight(distance(offset, s)));
+            // Samples outside the picture do not exist; the others share their weight.
+            let inside = |offset: &i64| (0..i64::from(picture)).contains(&(place + offset));
+            let total: f64 = (-margin..=margin).filter(inside).flat_map(weights).sum();
+            for offset in (-margin..=margin).filter(inside) {
+                for (s, weight) in (0..n).zip(weights(offset)) {
+                    let sample = (pixel - margin + offset) * n + s;
+                    if (0..i64::from(samples)).contains(&sample) && weight > 0.0 {
+                        let (sample, pixel) = (sample as usize, pixel as usize);
+                        shares.push(Share { sample, pixel, weight: weight / total });
+                    }
+                }
+            }
+        }
+        Self { shares }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::settings::Samples;
+
+    /// Shares of all tiles summed up per pixel, for samples of colour 1.
+    fn sums(filter: Filter, size: [u32; 2], samples: Samples) -> Vec<f64> {
+        let grid = SampleGrid::new(size, samples);
+        let mut sums = vec![0.0; (size[0] * size[1]) as usize];
+        for band in 0..grid.bands() {
+            for column in 0..grid.tiles_wide() {
+                let tile = Tile::at(&grid, column, band);
+                let part = reduce(filter, &grid, &tile, &vec![[1.0; 3]; tile.sample_count()]);
+                for (i, c) in part.colors.iter().enumerate() {
+                    let (x, y) =
+                        (part.x + (i as u32 % part.width) as i64, part.y + (i as u32 / part.width) as i64);
+                    if (0..i64::from(size[0])).contains(&x) && (0..i64::from(size[1])).contains(&y) {
+                        sums[(y * i64::from(size[0]) + x) as usize] += f64::from(c[0]);
+                    }
+                }
+            }
+        }
+        sums
+    }
+
+    #[test]
+    fn weights_of_every_pixel_sum_up_to_one_also_at_borders_and_between_tiles() {
+        for filter in [Filter::Box, Filter::Gaussian] {
+            for samples in Samples::ALL {
+                let sums = sums(filter, [70, 35], samples);
+                assert!(sums.iter().all(|s| (s - 1.0).abs() < 1e-6), "{filter:?} {samples:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn box_filter_is_the_mean() {
+        let grid = SampleGrid::new([1, 1], Samples::Four);
+        let tile = Tile::at(&grid, 0, 0);
+        let samples = [[0.0; 3], [1.0; 3], [2.0; 3], [5.0; 3]];
+        // (0 + 1 + 2 + 5) / 4
+        assert_eq!(reduce(Filter::Box, &grid, &tile, &samples).colors, [[2.0; 3]]);
+    }
+}

@@ -1,0 +1,13 @@
+//! From samples to pixels, and from tiles to rows that stream out.
+
+mod band;
+mod filter;
+mod layers;
+mod sink;
+
+pub(crate) use band::{BandAssembler, TilePicture};
+pub use filter::Filter;
+pub(crate) use filter::{TileColors, reduce};
+pub use layers::{Layer, LayerRows};
+pub(crate) use layers::{LayerSources, tile_layer};
+pub use sink::{Rows, Sink, SinkError};

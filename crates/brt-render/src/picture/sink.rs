@@ -1,0 +1,45 @@
+//! Where finished rows go.
+
+use super::layers::LayerRows;
+
+/// Finished rows of the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// Number of the first of them, counted from the top.
+    pub first: u32,
+    /// Pixels per row.
+    pub width: u32,
+    /// Linear RGB, row by row, not clamped.
+    pub colors: Vec<[f32; 3]>,
+    /// The same rows by full ray tracing, if [`Settings::compare_with_full`](crate::Settings) asks for them.
+    pub full: Option<Vec<[f32; 3]>>,
+    /// The layers that were asked for, in that order.
+    pub layers: Vec<LayerRows>,
+}
+
+impl Rows {
+    /// Number of rows.
+    pub fn count(&self) -> u32 {
+        self.colors.len() as u32 / self.width
+    }
+}
+
+/// What keeps a sink from taking rows.
+pub type SinkError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Takes finished rows, from the top of the picture to its bottom, each once.
+pub trait Sink {
+    /// Takes rows.
+    ///
+    /// # Errors
+    /// Whatever keeps it from taking them; the rendering ends then.
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError>;
+}
+
+/// Keeps all rows: a picture in memory.
+impl Sink for Vec<Rows> {
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
+        self.push(rows.clone());
+        Ok(())
+    }
+}

@@ -1,0 +1,77 @@
+//! From sample indices to rays.
+
+use brt_geometry::{Ray, Real, Vec3};
+use brt_scene::{Camera, Projection};
+
+use crate::products::SampleGrid;
+
+/// Rays of a picture. A ray's direction has length 1 along the view, so distances along it are depths.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedCamera {
+    pub(crate) eye: Vec3,
+    pub(crate) forward: Vec3,
+    pub(crate) right: Vec3,
+    pub(crate) up: Vec3,
+    pub(crate) is_perspective: bool,
+    /// Offset from the picture's middle to the first sample, in half samples.
+    pub(crate) first: [f64; 2],
+    /// Half a sample in units of `right` and `up` at distance 1 (perspective) or in scene units.
+    pub(crate) half_sample: f64,
+}
+
+impl PreparedCamera {
+    /// The rays of a grid. The camera must have passed the scene's check.
+    pub fn new(camera: &Camera, grid: &SampleGrid) -> Self {
+        let forward = (camera.look_at - camera.eye).try_normalize().unwrap_or_default();
+        let right = forward.cross(camera.up.try_normalize().unwrap_or_default()).normalize();
+        let (wide, high) = (f64::from(grid.samples_wide()), f64::from(grid.samples_high()));
+        let (is_perspective, half_extent) = match camera.projection {
+            Projection::Perspective { fov_deg } => (true, libm::tan(0.5 * fov_deg.to_radians())),
+            Projection::Orthographic { extent } => (false, 0.5 * extent),
+        };
+        Self {
+            eye: camera.eye,
+            forward,
+            right,
+            up: right.cross(forward),
+            is_perspective,
+            first: [1.0 - wide, 1.0 - high],
+            half_sample: half_extent / wide.min(high),
+        }
+    }
+
+    /// The ray through the sample in column `x` and row `y` of the grid (through its middle).
+    #[inline(always)]
+    pub fn ray<R: Real>(&self, x: R, y: R) -> Ray<R> {
+        let two = R::constant(2.0);
+        let across = (two * x + R::constant(self.first[0])) * R::constant(self.half_sample);
+        let down = (two * y + R::constant(self.first[1])) * R::constant(self.half_sample);
+        let offset = self.right.lift::<R>() * across - self.up.lift::<R>() * down;
+        if self.is_perspective {
+            Ray::new(self.eye.lift(), self.forward.lift::<R>() + offset)
+        } else {
+            Ray::new(self.eye.lift::<R>() + offset, self.forward.lift())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::settings::Samples;
+    use brt_geometry::vec3;
+
+    #[test]
+    fn corner_pixels_look_through_their_middle() {
+        let camera = Camera {
+            eye: Vec3::ZERO,
+            look_at: vec3(0.0, 0.0, -1.0),
+            up: vec3(0.0, 1.0, 0.0),
+            projection: Projection::Perspective { fov_deg: 90.0 },
+        };
+        let rays = PreparedCamera::new(&camera, &SampleGrid::new([4, 2], Samples::One));
+        // tan 45° = 1 over two rows: the middle of the first row is 0.5 up, of the first column 1.5 left.
+        let d = rays.ray(0.0, 0.0).direction;
+        assert!((d - vec3(-1.5, 0.5, -1.0)).length() < 1e-15);
+    }
+}

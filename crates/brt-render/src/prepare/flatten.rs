@@ -1,0 +1,146 @@
+//! Objects become primitives, each on a surface.
+
+use brt_geometry::{
+    Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, is_convex, polygon_plane,
+    triangulate,
+};
+use brt_scene::{Scene, Shape};
+
+use super::mesh::flatten_mesh;
+use crate::products::{NO_NORMALS, PrimitiveInfo, Surface};
+
+/// Primitives of a scene and what is known of them.
+#[derive(Default)]
+pub(super) struct Flattened {
+    pub(super) primitives: Vec<Primitive>,
+    pub(super) infos: Vec<PrimitiveInfo>,
+    pub(super) surfaces: Vec<Surface>,
+    pub(super) normals: Vec<[Vec3; 3]>,
+}
+
+/// The object that is being flattened.
+#[derive(Clone, Copy)]
+pub(super) struct Owner {
+    object: usize,
+    material: u32,
+    casts_shadow: bool,
+}
+
+impl Flattened {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let mut flat = Self::default();
+        for (index, object) in scene.objects.iter().enumerate() {
+            let material = &scene.materials[object.material.0 as usize];
+            let owner =
+                Owner { object: index, material: object.material.0, casts_shadow: material.casts_shadow };
+            flat.add_shape(&object.shape, owner);
+        }
+        flat
+    }
+
+    /// A new surface of an object.
+    pub(super) fn add_surface(&mut self, owner: Owner) -> u32 {
+        self.surfaces.push(Surface { object: owner.object });
+        (self.surfaces.len() - 1) as u32
+    }
+
+    /// A primitive on a surface, with shading normals if it is smooth.
+    pub(super) fn add(
+        &mut self,
+        primitive: Primitive,
+        owner: Owner,
+        surface: u32,
+        normals: Option<[Vec3; 3]>,
+    ) {
+        let normals = match normals {
+            Some(normals) => {
+                self.normals.push(normals);
+                (self.normals.len() - 1) as u32
+            }
+            None => NO_NORMALS,
+        };
+        self.primitives.push(primitive);
+        self.infos.push(PrimitiveInfo {
+            surface,
+            material: owner.material,
+            normals,
+            casts_shadow: owner.casts_shadow,
+        });
+    }
+
+    fn add_alone(&mut self, primitive: Primitive, owner: Owner) {
+        let surface = self.add_surface(owner);
+        self.add(primitive, owner, surface, None);
+    }
+
+    fn add_shape(&mut self, shape: &Shape, owner: Owner) {
+        match shape {
+            Shape::Sphere { center, radius } => {
+                self.add_alone(Primitive::Sphere(Sphere { center: *center, radius: *radius }), owner);
+            }
+            Shape::Plane { normal, distance } => {
+                let length = normal.length();
+                let unit = normal.try_normalize().unwrap_or_default();
+                self.add_alone(Primitive::Plane(Plane { normal: unit, distance: distance / length }), owner);
+            }
+            Shape::Polygon { outline, holes } => self.add_polygon(outline, holes, owner),
+            Shape::Disc { center, normal, radius } => {
+                let unit = normal.try_normalize().unwrap_or_default();
+                self.add_alone(Primitive::Disc(Disc::new(*center, unit, *radius)), owner);
+            }
+            Shape::Cylinder { base, top, radius, capped } => {
+                self.add_round([*base, *top], [*radius, *radius], *capped, owner);
+            }
+            Shape::Cone { base, base_radius, top, top_radius, capped } => {
+                self.add_round([*base, *top], [*base_radius, *top_radius], *capped, owner);
+            }
+            Shape::Mesh(mesh) => flatten_mesh(mesh, owner, self),
+        }
+    }
+
+    fn add_polygon(&mut self, outline: &[Vec3], holes: &[Vec<Vec3>], owner: Owner) {
+        let Some(fit) = polygon_plane(outline) else { return };
+        let plane = Plane::through(fit.center, fit.normal);
+        let surface = self.add_surface(owner);
+        if holes.is_empty() && is_convex(outline, fit.normal) {
+            let primitive = match *outline {
+                [a, b, c] => Primitive::Triangle(Triangle { plane, corners: [a, b, c] }),
+                _ => Primitive::Polygon(Polygon { plane, corners: outline.into() }),
+            };
+            self.add(primitive, owner, surface, None);
+            return;
+        }
+        // All parts keep the polygon's plane, so they are hit at one distance.
+        let corners: Vec<Vec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
+        for triangle in triangulate(outline, holes, fit.normal) {
+            let part = Triangle { plane, corners: triangle.map(|i| corners[i as usize]) };
+            self.add(Primitive::Triangle(part), owner, surface, None);
+        }
+    }
+
+    /// A cylinder or cone, and discs that close it.
+    fn add_round(
+        &mut self,
+        [base, top]: [Vec3; 2],
+        [base_radius, top_radius]: [f64; 2],
+        capped: bool,
+        owner: Owner,
+    ) {
+        let axis = (top - base).try_normalize().unwrap_or_default();
+        let height = (top - base).length();
+        let side = if base_radius == top_radius {
+            Primitive::Cylinder(Cylinder { base, axis, height, radius: base_radius })
+        } else {
+            let slope = (top_radius - base_radius) / height;
+            Primitive::Cone(Cone { base, axis, height, base_radius, slope })
+        };
+        self.add_alone(side, owner);
+        if capped {
+            for (center, normal, radius) in [(base, -axis, base_radius), (top, axis, top_radius)] {
+                if radius > 0.0 {
+                    self.add_alone(Primitive::Disc(Disc::new(center, normal, radius)), owner);
+                }
+            }
+        }
+    }
+}

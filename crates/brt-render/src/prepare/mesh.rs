@@ -1,0 +1,71 @@
+//! Meshes become triangles on smooth groups.
+
+use std::collections::HashMap;
+
+use brt_geometry::{FACET_ANGLE, Primitive, Triangle, Vec3};
+use brt_scene::Mesh;
+
+use super::flatten::{Flattened, Owner};
+
+/// Adds a mesh's triangles. Those without area are left out: no ray can meet them.
+pub(super) fn flatten_mesh(mesh: &Mesh, owner: Owner, flat: &mut Flattened) {
+    let corners = |t: &[u32; 3]| t.map(|i| mesh.positions[i as usize]);
+    let solid: Vec<(&[u32; 3], Triangle)> =
+        mesh.triangles.iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
+    let mut groups = Groups::new(solid.len());
+    let is_smooth = !mesh.normals.is_empty();
+    join_neighbours(&solid, is_smooth, &mut groups);
+
+    let mut surface_of_group: HashMap<usize, u32> = HashMap::new();
+    for (index, (indices, triangle)) in solid.iter().enumerate() {
+        let group = groups.find(index);
+        let surface = *surface_of_group.entry(group).or_insert_with(|| flat.add_surface(owner));
+        let normal = |i: u32| mesh.normals[i as usize].try_normalize().unwrap_or(triangle.plane.normal);
+        let normals = is_smooth.then(|| indices.map(normal));
+        flat.add(Primitive::Triangle(*triangle), owner, surface, normals);
+    }
+}
+
+/// Joins triangles over common edges: all in a mesh with normals, those in one plane in a mesh without.
+fn join_neighbours(triangles: &[(&[u32; 3], Triangle)], is_smooth: bool, groups: &mut Groups) {
+    let mut first_at: HashMap<(u32, u32), usize> = HashMap::with_capacity(triangles.len() * 3);
+    for (index, (corners, triangle)) in triangles.iter().enumerate() {
+        for side in 0..3 {
+            let (a, b) = (corners[side], corners[(side + 1) % 3]);
+            let other = *first_at.entry((a.min(b), a.max(b))).or_insert(index);
+            if other != index && (is_smooth || is_same_direction(triangle, &triangles[other].1)) {
+                groups.join(index, other);
+            }
+        }
+    }
+}
+
+fn is_same_direction(a: &Triangle, b: &Triangle) -> bool {
+    let difference: Vec3 = a.plane.normal - b.plane.normal;
+    difference.length() < FACET_ANGLE
+}
+
+/// Disjoint sets of triangles (union by smaller index, so that results do not depend on the order of joins).
+struct Groups {
+    parent: Vec<usize>,
+}
+
+impl Groups {
+    fn new(count: usize) -> Self {
+        Self { parent: (0..count).collect() }
+    }
+
+    fn find(&mut self, mut index: usize) -> usize {
+        while self.parent[index] != index {
+            self.parent[index] = self.parent[self.parent[index]];
+            index = self.parent[index];
+        }
+        index
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        let (low, high) = (a.min(b), a.max(b));
+        self.parent[high] = low;
+    }
+}

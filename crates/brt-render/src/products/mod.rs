@@ -1,0 +1,21 @@
+//! The nouns that flow between the steps.
+
+mod block;
+mod grid;
+mod history;
+mod perspective_image;
+mod prepared;
+mod stats;
+mod tile;
+
+pub(crate) use block::Block;
+pub use grid::SampleGrid;
+pub use history::RayHistory;
+pub(crate) use history::Step;
+pub(crate) use perspective_image::{NOTHING, PerspectiveImage};
+pub(crate) use prepared::{NO_NORMALS, PreparedLight, PrimitiveInfo};
+pub use prepared::{PreparedScene, Surface};
+pub use stats::{BlockCounts, PixelCounts, RayCounts, Seconds, Stats};
+pub(crate) use stats::{Counters, StageClock};
+pub use tile::SampleState;
+pub(crate) use tile::{Tile, TileSamples};

@@ -1,0 +1,25 @@
+//! The perspective image of a tile.
+
+use super::Tile;
+
+/// Stands for "no primitive" and "no surface" where a sample sees the background.
+pub(crate) const NOTHING: u32 = u32::MAX;
+
+/// Per sample of a tile: what its ray meets first. Made without rays. Paper: P3.
+#[doc(alias = "item buffer")]
+#[doc(alias = "visibility buffer")]
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PerspectiveImage {
+    /// Primitive met first, or [`NOTHING`].
+    pub(crate) primitive: Vec<u32>,
+    /// Its surface, or [`NOTHING`].
+    pub(crate) surface: Vec<u32>,
+}
+
+impl PerspectiveImage {
+    /// Makes room for a tile; contents are old.
+    pub(crate) fn reset(&mut self, tile: &Tile) {
+        self.primitive.resize(tile.sample_count(), NOTHING);
+        self.surface.resize(tile.sample_count(), NOTHING);
+    }
+}

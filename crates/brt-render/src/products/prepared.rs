@@ -1,0 +1,66 @@
+//! The scene as the tracers want it.
+
+use brt_geometry::{Bvh, Primitive, Vec3};
+use brt_image::Rgb;
+use brt_scene::Material;
+
+/// A scene flattened to primitives, with its BVH.
+#[derive(Clone, Debug)]
+pub struct PreparedScene {
+    /// In the order of the scene's objects; the index is the primitive's id. Of equally near hits the lowest wins.
+    pub(crate) primitives: Vec<Primitive>,
+    /// One for each primitive.
+    pub(crate) infos: Vec<PrimitiveInfo>,
+    /// What may be interpolated across.
+    pub(crate) surfaces: Vec<Surface>,
+    /// Shading normals of smooth triangles.
+    pub(crate) normals: Vec<[Vec3; 3]>,
+    /// Primitives that have no box and so stand outside the BVH.
+    pub(crate) unbounded: Vec<u32>,
+    /// Items are primitive ids.
+    pub(crate) bvh: Bvh,
+    pub(crate) lights: Vec<PreparedLight>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) background: Rgb,
+}
+
+impl PreparedScene {
+    /// Number of primitives.
+    pub fn primitive_count(&self) -> usize {
+        self.primitives.len()
+    }
+
+    /// All surfaces; ray histories and surface layers name them by position.
+    pub fn surfaces(&self) -> &[Surface] {
+        &self.surfaces
+    }
+}
+
+/// What may be interpolated across: a sphere, a flat face, the side of a cylinder, a smooth group of a mesh.
+#[doc(alias = "patch")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Surface {
+    /// The object of the scene that it belongs to.
+    pub object: usize,
+}
+
+/// No shading normals: the geometric normal is used.
+pub(crate) const NO_NORMALS: u32 = u32::MAX;
+
+/// What else there is to know of a primitive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PrimitiveInfo {
+    pub(crate) surface: u32,
+    pub(crate) material: u32,
+    /// Index into [`PreparedScene::normals`] or [`NO_NORMALS`].
+    pub(crate) normals: u32,
+    /// Does it hide lights?
+    pub(crate) casts_shadow: bool,
+}
+
+/// A light with its direction normalised.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum PreparedLight {
+    Point { position: Vec3, color: Rgb },
+    Directional { towards: Vec3, color: Rgb },
+}

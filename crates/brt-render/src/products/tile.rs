@@ -1,0 +1,73 @@
+//! Tiles of the picture and the samples in them.
+
+use super::{RayHistory, SampleGrid};
+
+/// How a sample got its colour. Every sample is exactly one of these in the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum SampleState {
+    /// It has none yet.
+    #[default]
+    Pending,
+    /// By a colour function over its block.
+    Filled,
+    /// By shading a known history without any search.
+    Shaded,
+    /// By searching rays.
+    Traced,
+}
+
+/// A rectangle of the picture that is rendered at a time: at most [`SampleGrid::TILE`] samples wide and high.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Tile {
+    /// First sample column and row, counted over the whole picture.
+    pub(crate) x: u32,
+    pub(crate) y: u32,
+    /// Samples per row, rows.
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl Tile {
+    /// The tile in this column and band.
+    pub(crate) fn at(grid: &SampleGrid, column: u32, band: u32) -> Self {
+        let (x, y) = (column * SampleGrid::TILE, band * SampleGrid::TILE);
+        Self {
+            x,
+            y,
+            width: SampleGrid::TILE.min(grid.samples_wide() - x),
+            height: SampleGrid::TILE.min(grid.samples_high() - y),
+        }
+    }
+
+    pub(crate) fn sample_count(&self) -> usize {
+        (self.width * self.height) as usize
+    }
+
+    /// Position of a sample of the tile in its arrays.
+    #[inline(always)]
+    pub(crate) fn index(&self, x: u32, y: u32) -> usize {
+        (y * self.width + x) as usize
+    }
+}
+
+/// Colours, states and histories of a tile's samples, row by row. Reused from tile to tile.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct TileSamples {
+    /// Linear RGB.
+    pub(crate) color: Vec<[f32; 3]>,
+    pub(crate) state: Vec<SampleState>,
+    /// Means something where a sample is traced; where it is filled only if histories are shown as a layer.
+    pub(crate) history: Vec<RayHistory>,
+}
+
+impl TileSamples {
+    /// Makes all samples of a tile pending.
+    pub(crate) fn reset(&mut self, tile: &Tile) {
+        let count = tile.sample_count();
+        self.color.resize(count, [0.0; 3]);
+        self.history.resize(count, RayHistory::default());
+        self.state.clear();
+        self.state.resize(count, SampleState::Pending);
+    }
+}

@@ -1,0 +1,143 @@
+//! The whole method on one screen.
+
+use std::time::Instant;
+
+use brt_scene::Scene;
+use thiserror::Error;
+
+use crate::methods::{TileWorker, render_border, render_full, render_pixel_selected, render_reference};
+use crate::perspective::{Outline, Outlines, Painter};
+use crate::picture::{
+    BandAssembler, Layer, LayerRows, LayerSources, Sink, SinkError, TileColors, TilePicture, reduce,
+    tile_layer,
+};
+use crate::prepare::{PreparedCamera, prepare};
+use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Tile};
+use crate::run::Run;
+use crate::schedule::Schedule;
+use crate::settings::{Method, Settings};
+
+/// Why there is no picture.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// The caller set the cancel flag.
+    #[error("cancelled")]
+    Cancelled,
+    /// The sink took no more rows.
+    #[error(transparent)]
+    Sink(SinkError),
+    /// The settings cannot be met.
+    #[error("{0}")]
+    Settings(String),
+    /// No threads could be started.
+    #[error("cannot start threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+/// Renders a scene that passed [`Scene::check`]; rows go to the sink from the top to the bottom.
+///
+/// # Errors
+/// If it is cancelled, the sink fails, or the settings are out of range.
+pub fn render(
+    scene: &Scene,
+    settings: &Settings,
+    run: &Run,
+    sink: &mut dyn Sink,
+) -> Result<Stats, RenderError> {
+    settings.check().map_err(RenderError::Settings)?;
+    let begin = Instant::now();
+    let grid = SampleGrid::new(settings.size, settings.samples);
+    let prepared = prepare(scene);
+    let camera = PreparedCamera::new(&scene.camera, &grid);
+    let job = Job {
+        scene: &prepared,
+        camera: &camera,
+        grid: &grid,
+        settings,
+        max_depth: settings.max_depth.unwrap_or(scene.max_depth),
+        outlines: settings.needs_perspective_image().then(|| Outlines::new(&prepared, &camera, &grid)),
+    };
+    let prepare_seconds = begin.elapsed().as_secs_f64();
+
+    let mut counters = Counters::default();
+    let mut assembler = BandAssembler::new(&grid, settings);
+    let schedule = Schedule::new(&job, run)?;
+    for bands in schedule.groups() {
+        for (pictures, counted) in schedule.render_bands(bands)? {
+            counters += counted;
+            let rows = assembler.add_band(&pictures);
+            sink.take(&rows).map_err(RenderError::Sink)?;
+            if let Some(progress) = run.progress {
+                progress.advance(rows.count());
+            }
+        }
+    }
+    let mut stats = Stats::of(&counters);
+    stats.seconds.prepare = prepare_seconds;
+    stats.seconds.render = begin.elapsed().as_secs_f64();
+    Ok(stats)
+}
+
+/// Everything that the tiles of a picture have in common.
+pub(crate) struct Job<'a> {
+    pub(crate) scene: &'a PreparedScene,
+    pub(crate) camera: &'a PreparedCamera,
+    pub(crate) grid: &'a SampleGrid,
+    pub(crate) settings: &'a Settings,
+    pub(crate) max_depth: u32,
+    /// Only if a perspective image is made.
+    pub(crate) outlines: Option<Outlines>,
+}
+
+/// Renders a tile. `outlines` are those that reach into it.
+pub(crate) fn render_tile(
+    job: &Job,
+    worker: &mut TileWorker,
+    painter: &mut Painter,
+    tile: &Tile,
+    outlines: &[Outline],
+) -> TilePicture {
+    worker.samples.reset(tile);
+    // "Make a perspective image of the objects" (P3): what each sample sees first, without rays.
+    if job.outlines.is_some() {
+        let mut clock = StageClock::start();
+        painter.paint(tile, outlines, &mut worker.perspective);
+        clock.lap(&mut worker.tracer.counters.seconds.perspective);
+    }
+    // "Use it to choose the pixels that are ray-traced and those that are interpolated" (P3, P5, P6).
+    trace_and_fill(job, worker, tile, &job.settings.method);
+    worker.tracer.counters.count_states(&worker.samples.state);
+
+    // From samples to pixels, and whatever else is to be seen.
+    let colors = reduce(job.settings.filter, job.grid, tile, &worker.samples.color);
+    let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
+    let full = job.settings.compare_with_full.then(|| render_again_in_full(job, worker, tile));
+    TilePicture { tile: *tile, colors, full, layers }
+}
+
+fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Method) {
+    match method {
+        Method::Reference => render_reference(worker, tile, job.scene, job.max_depth),
+        Method::Full => render_full(worker, tile),
+        Method::PixelSelected(settings) => render_pixel_selected(worker, tile, settings),
+        Method::Border(settings) => render_border(worker, tile, settings),
+    }
+}
+
+fn make_layer(job: &Job, worker: &TileWorker, tile: &Tile, layer: Layer) -> LayerRows {
+    let TileWorker { samples, perspective, .. } = worker;
+    let sources =
+        LayerSources { scene: job.scene, camera: job.camera, grid: job.grid, tile, samples, perspective };
+    tile_layer(layer, &sources)
+}
+
+/// The tile once more by full ray tracing. Its rays are not counted: they are spent on checking.
+fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> TileColors {
+    let counted = worker.tracer.take_counters();
+    worker.samples.reset(tile);
+    render_full(worker, tile);
+    worker.tracer.take_counters();
+    worker.tracer.counters = counted;
+    reduce(job.settings.filter, job.grid, tile, &worker.samples.color)
+}

@@ -1,0 +1,47 @@
+//! How it is rendered: nothing here changes a byte of the picture.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How the work is done.
+#[derive(Clone, Copy, Default)]
+pub struct Run<'a> {
+    /// Number of threads; 0 for one per processor.
+    pub threads: usize,
+    /// Hears how much is done.
+    pub progress: Option<&'a (dyn Progress + 'a)>,
+    /// Stops the work when set.
+    pub cancel: Option<&'a AtomicBool>,
+    /// In which order tiles of a band are begun; for tests that it does not matter.
+    pub order: TileOrder,
+}
+
+/// In which order the tiles of a band are begun.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TileOrder {
+    /// Left to right.
+    #[default]
+    Sorted,
+    /// Shuffled by this seed.
+    Shuffled(u64),
+}
+
+/// Hears how much is done.
+pub trait Progress: Sync {
+    /// `rows` more rows of the picture are finished.
+    fn advance(&self, rows: u32);
+}
+
+impl Run<'_> {
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+}
+
+impl TileOrder {
+    /// Sorts tile numbers into this order.
+    pub(crate) fn arrange(self, tiles: &mut [usize]) {
+        if let Self::Shuffled(seed) = self {
+            tiles.sort_by_key(|&t| (t as u64 ^ seed).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(31));
+        }
+    }
+}

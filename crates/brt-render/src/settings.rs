@@ -1,0 +1,143 @@
+//! What is rendered: everything that a picture depends on besides the scene.
+
+use crate::methods::{BorderSettings, PixelSelectedSettings};
+use crate::picture::{Filter, Layer};
+use crate::products::SampleGrid;
+
+/// What is rendered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Width and height of the picture in pixels, each at least 1.
+    pub size: [u32; 2],
+    /// Samples per pixel.
+    pub samples: Samples,
+    /// How samples become pixels.
+    pub filter: Filter,
+    /// Which samples are traced and what happens to the others.
+    pub method: Method,
+    /// What saves tests of primitives.
+    pub accelerator: Accelerator,
+    /// When two ray histories are the same.
+    pub history: HistoryKind,
+    /// Bounce limit instead of the scene's.
+    pub max_depth: Option<u32>,
+    /// Which layers are made besides the picture.
+    pub layers: Vec<Layer>,
+    /// Render everything by full ray tracing too, to compare with?
+    pub compare_with_full: bool,
+}
+
+impl Settings {
+    /// One sample per pixel by full ray tracing.
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            size,
+            samples: Samples::One,
+            filter: Filter::Box,
+            method: Method::Full,
+            accelerator: Accelerator::Bvh,
+            history: HistoryKind::Lit,
+            max_depth: None,
+            layers: Vec::new(),
+            compare_with_full: false,
+        }
+    }
+}
+
+/// Greatest width and height in pixels: sample indices stay far below 2³².
+pub(crate) const GREATEST_SIDE: u32 = 1 << 24;
+
+impl Settings {
+    /// What is wrong with them, if anything.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        let [width, height] = self.size;
+        if !(1..=GREATEST_SIDE).contains(&width) || !(1..=GREATEST_SIDE).contains(&height) {
+            return Err(format!("{width}×{height} pixels: each side must be from 1 to {GREATEST_SIDE}"));
+        }
+        let block = match &self.method {
+            Method::PixelSelected(settings) => settings.block,
+            Method::Border(settings) => settings.block,
+            Method::Reference | Method::Full => 1,
+        };
+        if !(1..=SampleGrid::TILE).contains(&block) {
+            return Err(format!(
+                "blocks of {block} samples: the side must be from 1 to {}",
+                SampleGrid::TILE
+            ));
+        }
+        Ok(())
+    }
+
+    /// Does the method or a layer read a perspective image?
+    pub(crate) fn needs_perspective_image(&self) -> bool {
+        matches!(self.method, Method::Border(_))
+            || self.layers.iter().any(|layer| layer.needs_perspective_image())
+    }
+}
+
+/// Samples per pixel: a square number, so that they form a regular grid over the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Samples {
+    /// One, in the middle of the pixel.
+    #[default]
+    One,
+    /// 2 × 2.
+    Four,
+    /// 4 × 4.
+    Sixteen,
+    /// 8 × 8.
+    SixtyFour,
+}
+
+impl Samples {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::One, Self::Four, Self::Sixteen, Self::SixtyFour];
+
+    /// Samples along each side of a pixel.
+    pub fn per_side(self) -> u32 {
+        match self {
+            Self::One => 1,
+            Self::Four => 2,
+            Self::Sixteen => 4,
+            Self::SixtyFour => 8,
+        }
+    }
+
+    /// Samples per pixel.
+    pub fn per_pixel(self) -> u32 {
+        self.per_side() * self.per_side()
+    }
+}
+
+/// Which samples are traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// Every sample by the plain recursion over all primitives: the oracle.
+    Reference,
+    /// Every sample: standard ray tracing.
+    Full,
+    /// Pixel-selected ray tracing (Akimoto, Mase 1986).
+    PixelSelected(PixelSelectedSettings),
+    /// Border ray tracing (Hashimoto, Suenaga 1987).
+    Border(BorderSettings),
+}
+
+/// What saves tests of primitives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Accelerator {
+    /// Nothing: every ray is tested with every primitive. Paper: P7.
+    None,
+    /// A bounding volume hierarchy.
+    #[default]
+    Bvh,
+}
+
+/// When two ray histories are the same. Paper: P5, reading 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum HistoryKind {
+    /// The same surfaces are met and the same lights are seen.
+    #[default]
+    Lit,
+    /// And lights that are not seen are hidden by the same surfaces.
+    Shadower,
+}

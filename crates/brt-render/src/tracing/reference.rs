@@ -1,0 +1,75 @@
+//! The oracle: Whitted's recursion (1980) as plainly as it can be written. Never optimised.
+
+use brt_geometry::{Ray, Vec3};
+use brt_image::Rgb;
+
+use super::illumination::{Directions, mirrored, reflected_light, refracted};
+use super::interaction::Interaction;
+use super::search::{FROM_NOWHERE, Met};
+use crate::products::{PreparedLight, PreparedScene};
+
+/// Colour along a camera ray.
+pub(crate) fn reference_sample(scene: &PreparedScene, ray: &Ray, max_depth: u32) -> Rgb {
+    color_along(scene, ray, FROM_NOWHERE, max_depth)
+}
+
+fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32) -> Rgb {
+    let Some(met) = nearest(scene, ray, from, f64::INFINITY, |_| true) else { return scene.background };
+    let here = Interaction::at(scene, ray, met.primitive, met.t);
+    let mut color = here.body * here.material.ambient;
+    for light in &scene.lights {
+        color = color + light_from(scene, light, &here, met.primitive);
+    }
+    if bounces_left == 0 {
+        return color;
+    }
+    let mut mirror_share = here.material.reflection;
+    let mut through = None;
+    if here.material.transmission > 0.0 {
+        let index = here.material.index_of_refraction;
+        let ratio = if here.from_behind { index } else { 1.0 / index };
+        match refracted(here.viewer, here.normal, ratio) {
+            Some(direction) => through = Some(Ray::new(here.point, direction)),
+            None => mirror_share += here.material.transmission,
+        }
+    }
+    if mirror_share > 0.0 {
+        let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
+        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1) * mirror_share;
+    }
+    if let Some(ray) = through {
+        let share = here.material.transmission;
+        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1) * share;
+    }
+    color
+}
+
+fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction, from: u32) -> Rgb {
+    let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
+        PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
+        PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
+    };
+    if here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0 {
+        return Rgb::BLACK;
+    }
+    let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
+    if nearest(scene, &Ray::new(here.point, towards), from, t_max, casts_shadow).is_some() {
+        return Rgb::BLACK;
+    }
+    let directions = Directions { normal: here.normal, light: towards.normalize(), viewer: here.viewer };
+    reflected_light(here.material, here.body, source, &directions)
+}
+
+fn nearest(
+    scene: &PreparedScene,
+    ray: &Ray,
+    from: u32,
+    t_max: f64,
+    counts: impl Fn(u32) -> bool,
+) -> Option<Met> {
+    let mut best = Met::nothing_before(t_max);
+    for id in (0..scene.primitives.len() as u32).filter(|&id| counts(id)) {
+        best.test(scene, ray, from, id);
+    }
+    best.found()
+}

@@ -1,0 +1,128 @@
+//! Which primitive does a ray meet?
+
+use brt_geometry::{Ray, Start, Traversal};
+
+use crate::products::{Counters, PreparedScene};
+use crate::settings::Accelerator;
+
+/// A primitive and the distance at which a ray meets it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Met {
+    pub(crate) primitive: u32,
+    pub(crate) t: f64,
+}
+
+impl Met {
+    /// Nothing met yet before `t_max`.
+    #[inline(always)]
+    pub(crate) fn nothing_before(t_max: f64) -> Self {
+        Self { primitive: u32::MAX, t: t_max }
+    }
+
+    /// Tests a primitive; keeps the nearer hit, of equally near ones that with the lower id.
+    #[inline(always)]
+    pub(crate) fn test(&mut self, scene: &PreparedScene, ray: &Ray, from: u32, id: u32) {
+        let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+        let is_nearer =
+            hit.t < self.t || (hit.t == self.t && id < self.primitive && self.primitive != u32::MAX);
+        if hit.found && is_nearer {
+            *self = Self { primitive: id, t: hit.t };
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn found(self) -> Option<Self> {
+        (self.primitive != u32::MAX).then_some(self)
+    }
+}
+
+/// Says that a ray leaves no primitive.
+pub(crate) const FROM_NOWHERE: u32 = u32::MAX;
+
+#[inline(always)]
+fn start(id: u32, from: u32) -> Start {
+    if id == from { Start::OnPrimitive } else { Start::Elsewhere }
+}
+
+/// Searches primitives along rays.
+pub(crate) struct Search<'a> {
+    scene: &'a PreparedScene,
+    accelerator: Accelerator,
+    walk: Traversal,
+    primitive_tests: u64,
+}
+
+impl<'a> Search<'a> {
+    pub(crate) fn new(scene: &'a PreparedScene, accelerator: Accelerator) -> Self {
+        Self { scene, accelerator, walk: Traversal::default(), primitive_tests: 0 }
+    }
+
+    /// Moves the counts of tests and nodes.
+    pub(crate) fn move_counts_to(&mut self, counters: &mut Counters) {
+        counters.primitive_tests += std::mem::take(&mut self.primitive_tests);
+        counters.nodes_visited += std::mem::take(&mut self.walk.nodes_visited);
+    }
+
+    /// The hit of a ray with a primitive that it is known to meet.
+    #[inline]
+    pub(crate) fn known(&mut self, ray: &Ray, id: u32) -> Met {
+        self.primitive_tests += 1;
+        let mut met = Met::nothing_before(f64::INFINITY);
+        met.test(self.scene, ray, FROM_NOWHERE, id);
+        debug_assert_eq!(met.primitive, id, "the perspective image shows what the ray does not meet");
+        met
+    }
+
+    /// The nearest primitive ahead of a ray that leaves `from`.
+    #[inline]
+    pub(crate) fn closest(&mut self, ray: &Ray, from: u32) -> Option<Met> {
+        self.nearest(ray, from, f64::INFINITY, |_| true)
+    }
+
+    /// The nearest primitive before `t_max` that casts shadows, on a ray that leaves `from`.
+    pub(crate) fn shadower(&mut self, ray: &Ray, from: u32, t_max: f64) -> Option<Met> {
+        let scene = self.scene;
+        self.nearest(ray, from, t_max, |id| scene.infos[id as usize].casts_shadow)
+    }
+
+    /// Does any primitive that casts shadows stand before `t_max` on a ray that leaves `from`?
+    #[inline]
+    pub(crate) fn is_hidden(&mut self, ray: &Ray, from: u32, t_max: f64) -> bool {
+        let (scene, tests) = (self.scene, &mut self.primitive_tests);
+        let mut hides = |id: u32| {
+            *tests += 1;
+            let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+            hit.found && hit.t < t_max && scene.infos[id as usize].casts_shadow
+        };
+        match self.accelerator {
+            Accelerator::None => (0..scene.primitives.len() as u32).any(hides),
+            Accelerator::Bvh => {
+                scene.unbounded.iter().any(|&id| hides(id))
+                    || scene.bvh.any(ray, t_max, &mut self.walk, hides)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn nearest(&mut self, ray: &Ray, from: u32, t_max: f64, counts: impl Fn(u32) -> bool) -> Option<Met> {
+        let (scene, tests) = (self.scene, &mut self.primitive_tests);
+        let mut best = Met::nothing_before(t_max);
+        let mut visit = |id: u32, best: &mut Met| {
+            if counts(id) {
+                *tests += 1;
+                best.test(scene, ray, from, id);
+            }
+        };
+        match self.accelerator {
+            Accelerator::None => (0..scene.primitives.len() as u32).for_each(|id| visit(id, &mut best)),
+            Accelerator::Bvh => {
+                scene.unbounded.iter().for_each(|&id| visit(id, &mut best));
+                scene.bvh.closest(ray, best.t, &mut self.walk, |id| {
+                    visit(id, &mut best);
+                    best.t
+                });
+            }
+        }
+        best.found()
+    }
+}
