@@ -20,10 +20,10 @@ pub(super) fn build(count: u32) -> Scene {
     let side = libm::ceil(libm::sqrt(f64::from(count))) as u32;
     let half = f64::from(side) / 2.0;
     let mut scene = Scene::new(Camera {
-        eye: vec3(0.35, 0.75, 1.25) * f64::from(side),
-        look_at: vec3(0.0, 0.0, 0.08) * f64::from(side),
+        eye: vec3(0.28, 0.5, 0.8) * f64::from(side),
+        look_at: vec3(0.0, 0.0, 0.1) * f64::from(side),
         up: vec3(0.0, 1.0, 0.0),
-        projection: Projection::Perspective { fov_deg: 40.0 },
+        projection: Projection::Perspective { fov_deg: 46.0 },
     });
     scene.size = Some([1024, 1024]);
     scene.background = rgb(0.05, 0.07, 0.1);

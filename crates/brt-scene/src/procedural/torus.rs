@@ -29,7 +29,7 @@ fn build(triangles: u32, material: Material) -> Scene {
         eye: vec3(0.6, 2.3, 3.6),
         look_at: vec3(0.0, 0.7, 0.0),
         up: vec3(0.0, 1.0, 0.0),
-        projection: Projection::Perspective { fov_deg: 42.0 },
+        projection: Projection::Perspective { fov_deg: 50.0 },
     });
     scene.size = Some([1024, 1024]);
     scene.background = rgb(0.06, 0.08, 0.12);
