@@ -57,8 +57,7 @@ pub enum EncodeError {
 pub struct DecodeError {
     /// The file.
     pub path: PathBuf,
-    /// What is wrong.
-    #[source]
+    /// What is wrong; the message above includes it, so it is no separate source.
     pub problem: DecodeProblem,
 }
 

@@ -78,12 +78,14 @@ fn refused(error: &dyn std::fmt::Display) -> EncodeError {
 
 impl BandWriter for PngEncoder {
     fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
-        self.rows.add(rows.len())?;
+        let after = self.rows.after(rows.len())?;
         let Self { stream, latch, samples, .. } = self;
         samples.for_each_part(rows, |bytes| {
             stream.write_all(bytes).map_err(|e| refused(&e))?;
             Ok(latch.check()?)
-        })
+        })?;
+        self.rows = after;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<(), EncodeError> {

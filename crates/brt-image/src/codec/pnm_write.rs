@@ -37,9 +37,11 @@ impl PpmEncoder {
 
 impl BandWriter for PpmEncoder {
     fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
-        self.rows.add(rows.len())?;
+        let after = self.rows.after(rows.len())?;
         let Self { sink, samples, .. } = self;
-        samples.for_each_part(rows, |bytes| sink.write_all(bytes).map_err(EncodeError::from))
+        samples.for_each_part(rows, |bytes| Ok(sink.write_all(bytes)?))?;
+        self.rows = after;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<(), EncodeError> {

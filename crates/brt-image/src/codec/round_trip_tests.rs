@@ -219,6 +219,18 @@ fn a_full_disk_is_an_error_wherever_it_happens() {
 }
 
 #[test]
+fn a_picture_with_a_failed_band_is_never_complete() {
+    let image = test_picture(PictureSize::new(300, 64));
+    for encoding in all_encodings() {
+        let sink = Box::new(Memory { fails_after: Some(700), ..Memory::default() });
+        let Ok(mut writer) = encoder(sink, image.size(), encoding) else { continue };
+        // The caller goes on after errors, as it should not.
+        let failed = (0..64).filter(|&y| writer.write(image.band(y, 1).pixels).is_err()).count();
+        assert!(writer.finish().is_err(), "{encoding:?} after {failed} errors");
+    }
+}
+
+#[test]
 fn limits_are_asked_before_memory_is_taken() {
     let image = test_picture(PictureSize::new(20, 20));
     for encoding in all_encodings() {

@@ -4,7 +4,7 @@ use super::error::EncodeError;
 use crate::PictureSize;
 
 /// How much of a picture has come.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct RowCount {
     size: PictureSize,
     given: u64,
@@ -30,20 +30,21 @@ impl RowCount {
         self.size.width as usize
     }
 
-    /// Takes note of a band.
+    /// The count after a band. The caller keeps it once the band is written: a picture with a
+    /// failed band never counts as complete.
     ///
     /// # Errors
-    /// If it is no number of whole rows, or too many.
-    pub(crate) fn add(&mut self, pixels: usize) -> Result<(), EncodeError> {
-        let Self { size, given } = self;
+    /// If the band is no number of whole rows, or too many.
+    pub(crate) fn after(&self, pixels: usize) -> Result<Self, EncodeError> {
+        let Self { size, given } = *self;
         if !pixels.is_multiple_of(size.width as usize) {
             return Err(EncodeError::PartialRow { pixels, width: size.width });
         }
-        *given += (pixels / size.width as usize) as u64;
-        if *given > u64::from(size.height) {
-            return Err(EncodeError::RowCount { expected: size.height, given: *given });
+        let given = given + (pixels / size.width as usize) as u64;
+        if given > u64::from(size.height) {
+            return Err(EncodeError::RowCount { expected: size.height, given });
         }
-        Ok(())
+        Ok(Self { size, given })
     }
 
     /// Has the whole picture come?
