@@ -55,7 +55,7 @@ fn material(x: u32, y: u32, z: u32) -> Material {
     let strongest = channels.into_iter().fold(0.0, f64::max);
     let color = channels.map(|channel| channel / strongest);
     let name = format!("gear {x} {y} {z}");
-    if (4 * x + 2 * y + z) % 5 == 0 {
+    if (4 * x + 2 * y + z).is_multiple_of(5) {
         glass(fill(name, color, 0.2, 0.0, NO_SHINE), 0.8, 1.1)
     } else {
         fill(name, color, 1.0, 0.0, NO_SHINE)
@@ -101,9 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn meshing_gears_keep_apart() {
-        // Tip of one and root of the next on the line between the centres.
-        assert!(TIP + ROOT < 1.0 + ROOT);
+    fn gears_fill_the_cube_over_the_floor() {
         let scene = build(2);
         assert!(scene.objects[1..].iter().all(|o| {
             let [lo, hi] = o.shape.bounds().unwrap();

@@ -36,7 +36,7 @@ impl Workshop {
         let screws = 18;
         for i in 0..screws {
             let out = direction(TAU * (f64::from(i) + 0.5) / f64::from(screws));
-            let at = |r: f64| AXIS + out * r + vec3(0.0, 0.0, 5.62);
+            let at = |r: f64| AXIS + out * r + vec3(0.0, 0.0, 5.55);
             let head =
                 Shape::Cylinder { base: at(RIM - 0.05), top: at(RIM + 0.5), radius: 0.24, capped: true };
             self.scene.add(head, self.metals.arbor);
@@ -75,7 +75,7 @@ impl Workshop {
         // An opening along the middle, on the same curve between its quarters.
         let slot = Outline::arm(middle(curve), [0.42, 0.4, 0.34], self.segments);
         self.cut(self.metals.steel, &outline, &[slot], z, 0.28);
-        self.stud(self.metals.steel, foot, 1.5, [FLOOR, z[0]], 0.0);
+        self.stud(self.metals.steel, foot, 1.5, [FLOOR, z[0] + 0.1], 0.0);
         self.screw(foot, 0.95, z[1], 2.2);
         self.jewel(AXIS, 0.72, z[1]);
         // The index, a slender needle across the cock.

@@ -59,7 +59,7 @@ impl Workshop {
     /// The bridge over barrel and winding wheels.
     pub(super) fn barrel_bridge(&mut self, train: &Train) -> f64 {
         let [barrel, crown] = [train.ratchet.center, train.crown.center];
-        let ears = [vec3(-11.6, -5.2, 0.0), vec3(-9.2, 11.4, 0.0)];
+        let ears = [vec3(-11.6, -5.2, 0.0), vec3(-4.2, 12.3, 0.0)];
         let outline =
             Outline::around(&[(barrel, 4.55), (crown, 3.5), (ears[0], 1.5), (ears[1], 1.5)], self.segments);
         let bevel = 0.3;
@@ -81,7 +81,7 @@ impl Workshop {
             [foot, foot + (bend - foot) * 0.6, pivot + (bend - pivot) * 0.6, pivot]
         };
         let fingers = [
-            (finger([-2.2, 13.9], [2.2, 8.5], train.center.center), 1.25),
+            (finger([0.9, 14.0], [1.6, 8.2], train.center.center), 1.25),
             (finger([5.8, 12.8], [7.4, 8.5], train.third.center), 1.15),
             (finger([13.2, 5.4], [11.5, 1.6], train.fourth.center), 1.15),
             (finger([13.7, -2.4], [10.8, -4.0], train.escape.center), 0.95),

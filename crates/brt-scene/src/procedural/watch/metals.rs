@@ -63,14 +63,14 @@ impl Metals {
         let steel = add("steel", rgb(0.46, 0.47, 0.5), [0.38, 0.5, 60.0, 0.5]);
         let stripe = add("striped steel", rgb(0.26, 0.27, 0.3), [0.4, 0.5, 30.0, 0.36]);
         let edge = add("polished bevel", rgb(0.75, 0.78, 0.82), [0.35, 0.9, 40.0, 0.5]);
-        let brass = add("brass", rgb(0.8, 0.5, 0.16), [0.6, 0.5, 70.0, 0.25]);
-        let gold = add("gold", rgb(0.95, 0.62, 0.22), [0.55, 0.8, 90.0, 0.3]);
+        let brass = add("brass", rgb(0.78, 0.46, 0.12), [0.6, 0.5, 70.0, 0.25]);
+        let gold = add("gold", rgb(0.92, 0.56, 0.16), [0.55, 0.8, 90.0, 0.3]);
         let arbor = add("pinion steel", rgb(0.5, 0.52, 0.56), [0.35, 0.9, 120.0, 0.45]);
         let blued = add("blued steel", rgb(0.02, 0.07, 0.34), [0.7, 0.9, 110.0, 0.3]);
         let sky = add("night sky", rgb(0.01, 0.03, 0.16), [0.8, 0.8, 150.0, 0.16]);
         let ruby = add("ruby", rgb(0.75, 0.015, 0.07), [0.65, 1.0, 250.0, 0.14]);
         let table = add("dark mirror", rgb(0.01, 0.014, 0.03), [0.4, 0.0, 50.0, 0.5]);
-        let backdrop = add("backdrop", rgb(0.008, 0.016, 0.05), [0.6, 0.62, 26.0, 0.0]);
+        let backdrop = add("backdrop", rgb(0.008, 0.016, 0.05), [0.6, 0.75, 16.0, 0.0]);
         let glass = scene.add_material(Material {
             transmission: 0.88,
             index_of_refraction: 1.45,

@@ -45,7 +45,7 @@ pub(super) fn build(segments: u32) -> Scene {
 fn stage() -> Scene {
     let mut scene = Scene::new(Camera {
         eye: vec3(-7.0, -40.0, 33.0),
-        look_at: vec3(-1.6, -4.0, 2.5),
+        look_at: vec3(-1.6, -4.3, 2.5),
         up: vec3(0.0, 0.0, 1.0),
         projection: Projection::Perspective { fov_deg: 34.0 },
     });
@@ -54,7 +54,7 @@ fn stage() -> Scene {
     for (position, color) in [
         (vec3(-38.0, -22.0, 52.0), rgb(0.85, 0.74, 0.6)),
         (vec3(42.0, 8.0, 38.0), rgb(0.3, 0.38, 0.5)),
-        (vec3(4.0, 66.0, 74.0), rgb(0.38, 0.5, 0.8)),
+        (vec3(3.0, 34.0, 96.0), rgb(0.26, 0.4, 0.75)),
     ] {
         scene.lights.push(Light::Point { position, color });
     }

@@ -73,8 +73,8 @@ impl Outline {
             let (point, along) = bezier(curve, t);
             (point, vec3(-along.y, along.x, 0.0), width(widths, t))
         };
-        let right = (0..=count).map(|i| sample(i)).map(|(p, left, w)| p - left * w);
-        let left = (0..=count).rev().map(|i| sample(i)).map(|(p, left, w)| p + left * w);
+        let right = (0..=count).map(sample).map(|(p, left, w)| p - left * w);
+        let left = (0..=count).rev().map(sample).map(|(p, left, w)| p + left * w);
         let cap = |(center, left, w): (Vec3, Vec3, f64), from: f64| {
             let start = angle_of(left) + from;
             (1..count).map(move |i| center + direction(start + PI * f64::from(i) / f64::from(count)) * w)

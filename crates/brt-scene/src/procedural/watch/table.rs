@@ -22,12 +22,12 @@ impl Workshop {
     /// The crown at the end of its stem, with knurls all around.
     pub(super) fn crown(&mut self) {
         let out = direction(197.0f64.to_radians());
-        let at = |r: f64| out * r + vec3(0.0, 0.0, 2.15);
+        let at = |r: f64| out * r + vec3(0.0, 0.0, 1.7);
         let (gold, arbor) = (self.metals.gold, self.metals.arbor);
         let stem =
             Shape::Cylinder { base: at(PLATE - 0.5), top: at(PLATE + 1.6), radius: 0.4, capped: false };
         self.scene.add(stem, arbor);
-        let (near, far, radius) = (PLATE + 1.5, PLATE + 4.0, 1.8);
+        let (near, far, radius) = (PLATE + 1.4, PLATE + 3.7, 1.5);
         let body = Shape::Cylinder { base: at(near), top: at(far), radius, capped: true };
         self.scene.add(body, gold);
         let dome = Shape::Cone {
@@ -39,7 +39,7 @@ impl Workshop {
         };
         self.scene.add(dome, gold);
         let (side, up) = (vec3(-out.y, out.x, 0.0), vec3(0.0, 0.0, 1.0));
-        let knurls = 32;
+        let knurls = 28;
         for i in 0..knurls {
             let turn = direction(TAU * f64::from(i) / f64::from(knurls));
             let off = (side * turn.x + up * turn.y) * radius;
@@ -90,11 +90,11 @@ impl Workshop {
     pub(super) fn loose_parts(&mut self) {
         let spare = Wheel { center: vec3(-19.0, -12.5, 0.0), teeth: 28, phase: 0.1 };
         self.wheel(self.metals.brass, spare, 4, [0.03, 0.4]);
-        for (x, y, turn) in [(-13.5, -15.2, 0.4), (-11.0, -17.2, 1.9), (-22.8, -8.0, 2.6)] {
+        for (x, y, turn) in [(-13.5, -14.4, 0.4), (-10.6, -16.0, 1.9), (-22.8, -8.0, 2.6)] {
             self.screw(vec3(x, y, 0.0), 0.8, 0.03, turn);
         }
         for (x, y, radius) in
-            [(-15.8, -16.8, 0.62), (-14.2, -18.6, 0.48), (-17.4, -19.4, 0.4), (-8.6, -18.9, 0.55)]
+            [(-15.6, -15.6, 0.62), (-12.3, -16.7, 0.45), (-8.2, -17.2, 0.5), (-17.0, -16.7, 0.38)]
         {
             let center = vec3(x, y, radius + 0.01);
             self.scene.add(Shape::Sphere { center, radius }, self.metals.ruby);
