@@ -12,7 +12,7 @@ const FOV_DEG: f64 = 42.0;
 const LIGHTS: [Vec3; 2] = [vec3(-7.0, 10.0, 3.0), vec3(6.0, 9.0, 7.0)];
 /// The mirror wall: its depth, half its width, its height.
 const WALL: (f64, f64, f64) = (-6.0, 4.0, 4.5);
-/// Tries per ball before the search for a place ends: each try succeeds with a chance of about one in five.
+/// Random places tried for a ball before a fixed one is taken, so that no search can go on for ever.
 const TRIES: u32 = 1_000;
 
 /// `count` tiny shiny balls, a fifth as many tiny mirrors, a third as many balls in each of the two hiding places.

@@ -107,7 +107,7 @@ fn lens(center: Vec3, axis: Vec3, radius: f64, segments: u32) -> Mesh {
     let curvature = 2.6 * radius;
     let depth = libm::sqrt(curvature * curvature - radius * radius);
     let (u, v) = axis.tangents();
-    let rings = segments / 4;
+    let rings = segments / 8;
     let mut mesh = Mesh::default();
     for side in [1.0, -1.0] {
         let middle = center - axis * (depth * side);

@@ -114,7 +114,7 @@ impl Workshop {
 
     /// A smooth tube of constant thickness along a curve given by points and unit tangents.
     pub(super) fn tube(&mut self, body: MaterialId, path: &[(Vec3, Vec3)], radius: f64) {
-        let around = (self.segments / 12).max(6);
+        let around = (self.segments / 16).max(6);
         let mut mesh = Mesh::default();
         for &(center, along) in path {
             let up = vec3(0.0, 0.0, 1.0);
