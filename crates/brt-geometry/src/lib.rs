@@ -41,3 +41,6 @@ pub const BOX_MARGIN: f64 = 1e-6;
 /// Depths and projected outlines are widened by this share (of the distance, and of a sample) when they only serve
 /// to leave out what cannot be seen.
 pub const PROJECTION_MARGIN: f64 = 1e-6;
+
+/// Hits beyond this distance (in units of the ray's direction) do not count. Finite, so that bounds can tell.
+pub const FARTHEST: f64 = 1e300;

@@ -1,6 +1,6 @@
 //! Rays and what they hit.
 
-use crate::{Mask, Real, Vec3};
+use crate::{FARTHEST, Mask, Real, Vec3};
 
 /// A half-line. The direction has any length; distances along it are in units of that length.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ impl<R: Real> Ray<R> {
 pub struct Hit<R: Real = f64> {
     /// Is there one? Where not, `t` means nothing.
     pub found: R::Mask,
-    /// Its distance in units of the ray's direction, above 0 and finite.
+    /// Its distance in units of the ray's direction, above 0 and below [`FARTHEST`].
     pub t: R,
 }
 
@@ -49,7 +49,7 @@ impl<R: Real> Hit<R> {
     /// A hit at `t` where `valid` and `t` is ahead.
     #[inline(always)]
     pub fn at(t: R, valid: R::Mask) -> Self {
-        let ahead = t.gt(R::constant(0.0)) & t.lt(R::constant(f64::INFINITY));
+        let ahead = t.gt(R::constant(0.0)) & t.lt(R::constant(FARTHEST));
         Self { found: valid & ahead, t }
     }
 

@@ -37,6 +37,10 @@ impl Default for BorderSettings {
     }
 }
 
+/// Larger blocks with two surfaces are divided at once: near an outline shading bends most, and four samples say too
+/// little of a large region there (`docs/notes/border.md`).
+const LARGEST_WITH_TWO_SURFACES: u32 = 8;
+
 /// A block and what is known of it on its level.
 struct Candidate {
     block: Block,
@@ -50,7 +54,10 @@ pub(crate) fn render_border(worker: &mut TileWorker, tile: &Tile, settings: &Bor
     let mut blocks = Block::cover(tile.width, tile.height, settings.block);
     let mut level = Vec::new();
     while !blocks.is_empty() {
-        let contents = |b: &Block| regions_of(b, tile, &worker.perspective, &worker.samples.state);
+        let contents = |b: &Block| match regions_of(b, tile, &worker.perspective, &worker.samples.state) {
+            Contents::Two(_) if b.side() > LARGEST_WITH_TWO_SURFACES => Contents::Many,
+            contents => contents,
+        };
         level.clear();
         level.extend(blocks.drain(..).map(|block| Candidate { block, contents: contents(&block) }));
         worker.tracer.counters.blocks.judged += level.len() as u64;

@@ -45,9 +45,10 @@ pub(super) fn brightness(color: &[f32; 3]) -> f64 {
     (level(color[0]) + level(color[1]) + level(color[2])) * 85.0
 }
 
+/// Variance of the brightness that the four values are a sample of, so with n − 1 = 3 degrees of freedom.
 fn variance(values: &[f64; 4], mean: f64) -> f64 {
     let square = |v: f64| (v - mean) * (v - mean);
-    0.25 * (square(values[0]) + square(values[1]) + square(values[2]) + square(values[3]))
+    (square(values[0]) + square(values[1]) + square(values[2]) + square(values[3])) / 3.0
 }
 
 #[cfg(test)]
@@ -60,14 +61,14 @@ mod tests {
 
     #[test]
     fn the_three_judgements_by_hand() {
-        // 0, 0, 8, 8: mean 4, variance 16, deviation 4, greatest difference 4
-        let colors = [grey(0.0), grey(0.0), grey(8.0), grey(8.0)];
-        assert!(Judge::Variance(VarianceDelta(16.01)).accepts(&colors));
-        assert!(!Judge::Variance(VarianceDelta(15.9)).accepts(&colors));
-        assert!(Judge::Deviation(DeviationDelta(4.01)).accepts(&colors));
-        assert!(!Judge::Deviation(DeviationDelta(3.99)).accepts(&colors));
-        assert!(Judge::Difference(DifferenceDelta(4.01)).accepts(&colors));
-        assert!(!Judge::Difference(DifferenceDelta(3.99)).accepts(&colors));
+        // 0, 0, 6, 6: mean 3, squares 4 · 9 = 36, variance 36/3 = 12, deviation 3.464, greatest difference 3
+        let colors = [grey(0.0), grey(0.0), grey(6.0), grey(6.0)];
+        assert!(Judge::Variance(VarianceDelta(12.01)).accepts(&colors));
+        assert!(!Judge::Variance(VarianceDelta(11.99)).accepts(&colors));
+        assert!(Judge::Deviation(DeviationDelta(3.47)).accepts(&colors));
+        assert!(!Judge::Deviation(DeviationDelta(3.46)).accepts(&colors));
+        assert!(Judge::Difference(DifferenceDelta(3.01)).accepts(&colors));
+        assert!(!Judge::Difference(DifferenceDelta(2.99)).accepts(&colors));
     }
 
     #[test]

@@ -26,6 +26,11 @@ impl Block {
         [[self.x0, self.y0], [self.x1, self.y0], [self.x0, self.y1], [self.x1, self.y1]]
     }
 
+    /// Distance between its corners along the longer side.
+    pub(crate) fn side(&self) -> u32 {
+        (self.x1 - self.x0).max(self.y1 - self.y0)
+    }
+
     /// Has it no samples but its corners?
     pub(crate) fn is_smallest(&self) -> bool {
         self.x1 - self.x0 <= 1 && self.y1 - self.y0 <= 1
