@@ -20,7 +20,7 @@ pub use bvh::{Bvh, Traversal};
 pub use polygon_plane::{PolygonPlane, polygon_plane};
 pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
 pub use ray::{Hit, Ray, Start};
-pub use real::{Mask, Real, power_by_squaring};
+pub use real::{Exponent, Mask, Real};
 pub use taylor::{Taylor, Trilean};
 pub use triangulate::{is_convex, triangulate};
 pub use vec3::{Vec3, vec3};

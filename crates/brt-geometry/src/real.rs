@@ -49,10 +49,8 @@ pub trait Real:
     fn le(self, other: Self) -> Self::Mask;
     /// `yes` where the mask is true, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// `self` to the power `exponent` for `self >= 0`, `exponent >= 0`.
-    ///
-    /// Whole exponents up to 2²⁰ are a fixed chain of multiplications ([`power_by_squaring`]).
-    fn pow(self, exponent: f64) -> Self;
+    /// `self` to a power that is not whole, for `self >= 0`, `exponent >= 0`. [`Exponent`] takes whole ones too.
+    fn broken_power(self, exponent: f64) -> Self;
 
     /// `self > other`
     #[inline(always)]
@@ -66,9 +64,39 @@ pub trait Real:
     }
 }
 
-/// `base` to the power `exponent` by repeated squaring, low bit first: the same chain for every [`Real`].
-#[inline]
-pub fn power_by_squaring<R: Real>(base: R, exponent: u32) -> R {
+/// An exponent, sorted by how a power is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Exponent {
+    /// Up to 2²⁰: a fixed chain of multiplications.
+    Whole(u32),
+    /// Any other.
+    Broken(f64),
+}
+
+impl Exponent {
+    /// The exponent `x`, at least 0.
+    pub fn new(x: f64) -> Self {
+        const GREATEST: f64 = 1_048_576.0;
+        if (0.0..=GREATEST).contains(&x) && x.fract() == 0.0 {
+            Self::Whole(x as u32)
+        } else {
+            Self::Broken(x)
+        }
+    }
+
+    /// `base` to this power for `base >= 0`.
+    #[inline(always)]
+    pub fn power<R: Real>(self, base: R) -> R {
+        match self {
+            Self::Whole(exponent) => power_by_squaring(base, exponent),
+            Self::Broken(exponent) => base.broken_power(exponent),
+        }
+    }
+}
+
+/// Repeated squaring, low bit first: the same chain for every [`Real`].
+#[inline(always)]
+fn power_by_squaring<R: Real>(base: R, exponent: u32) -> R {
     let mut result = R::constant(1.0);
     let mut square = base;
     let mut rest = exponent;
@@ -82,13 +110,6 @@ pub fn power_by_squaring<R: Real>(base: R, exponent: u32) -> R {
         }
     }
     result
-}
-
-/// The whole exponent that [`power_by_squaring`] serves, if `exponent` is one.
-#[inline]
-pub(crate) fn whole_exponent(exponent: f64) -> Option<u32> {
-    const GREATEST: f64 = 1_048_576.0;
-    ((0.0..=GREATEST).contains(&exponent) && exponent.fract() == 0.0).then_some(exponent as u32)
 }
 
 impl Mask for bool {
@@ -136,11 +157,8 @@ impl Real for f64 {
         if mask { yes } else { no }
     }
     #[inline]
-    fn pow(self, exponent: f64) -> Self {
-        match whole_exponent(exponent) {
-            Some(n) => power_by_squaring(self, n),
-            None => libm::pow(self, exponent),
-        }
+    fn broken_power(self, exponent: f64) -> Self {
+        libm::pow(self, exponent)
     }
 }
 
@@ -151,14 +169,14 @@ mod tests {
     #[test]
     fn whole_powers_are_products() {
         // 3^5 = 243; 2^0 = 1; 0.5^3 = 0.125
-        assert_eq!(3.0_f64.pow(5.0), 243.0);
-        assert_eq!(2.0_f64.pow(0.0), 1.0);
-        assert_eq!(0.5_f64.pow(3.0), 0.125);
+        assert_eq!(Exponent::new(5.0).power(3.0), 243.0);
+        assert_eq!(Exponent::new(0.0).power(2.0), 1.0);
+        assert_eq!(Exponent::new(3.0).power(0.5), 0.125);
     }
 
     #[test]
     fn broken_powers_agree_with_the_logarithm() {
         // 4^1.5 = 8
-        assert!((4.0_f64.pow(1.5) - 8.0).abs() < 1e-14);
+        assert!((Exponent::new(1.5).power(4.0_f64) - 8.0).abs() < 1e-14);
     }
 }

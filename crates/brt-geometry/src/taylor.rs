@@ -7,7 +7,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::real::{Mask, Real, power_by_squaring, whole_exponent};
+use crate::real::{Mask, Real};
 
 /// A first-order model over a block.
 #[derive(Clone, Copy, Debug)]
@@ -216,10 +216,7 @@ impl Real for Taylor {
         Self::enclosing([a.min(c), b.max(d)])
     }
 
-    fn pow(self, exponent: f64) -> Self {
-        if let Some(n) = whole_exponent(exponent) {
-            return power_by_squaring(self, n);
-        }
+    fn broken_power(self, exponent: f64) -> Self {
         let [lo, hi] = self.range();
         let (a, b) = (libm::pow(lo.max(0.0), exponent), libm::pow(hi.max(0.0), exponent));
         // libm's pow is monotone but for its last place.

@@ -6,10 +6,10 @@ mod mesh;
 
 pub use camera::PreparedCamera;
 
-use brt_geometry::Bvh;
-use brt_scene::{Light, Scene};
+use brt_geometry::{Bvh, Exponent};
+use brt_scene::{Light, Material, Scene};
 
-use crate::products::{PreparedLight, PreparedScene};
+use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
 use flatten::Flattened;
 
 /// Flattens a scene and builds its BVH. The scene must have passed [`Scene::check`].
@@ -31,7 +31,7 @@ pub fn prepare(scene: &Scene) -> PreparedScene {
         normals,
         unbounded,
         lights: scene.lights.iter().map(prepare_light).collect(),
-        materials: scene.materials.clone(),
+        materials: scene.materials.iter().map(prepare_material).collect(),
         background: scene.background,
     }
 }
@@ -43,5 +43,20 @@ fn prepare_light(light: &Light) -> PreparedLight {
             towards: -direction.try_normalize().unwrap_or_default(),
             color: *color,
         },
+    }
+}
+
+pub(crate) fn prepare_material(m: &Material) -> PreparedMaterial {
+    PreparedMaterial {
+        color: m.color,
+        checker: m.checker.clone(),
+        ambient: m.ambient,
+        diffuse: m.diffuse,
+        specular: m.specular,
+        exponent: Exponent::new(m.exponent),
+        highlight: m.highlight,
+        reflection: m.reflection,
+        transmission: m.transmission,
+        index_of_refraction: m.index_of_refraction,
     }
 }

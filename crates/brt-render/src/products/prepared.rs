@@ -1,8 +1,8 @@
 //! The scene as the tracers want it.
 
-use brt_geometry::{Bvh, Primitive, Vec3};
+use brt_geometry::{Bvh, Exponent, Primitive, Vec3};
 use brt_image::Rgb;
-use brt_scene::Material;
+use brt_scene::{Checker, Highlight};
 
 /// A scene flattened to primitives, with its BVH.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub struct PreparedScene {
     /// Items are primitive ids.
     pub(crate) bvh: Bvh,
     pub(crate) lights: Vec<PreparedLight>,
-    pub(crate) materials: Vec<Material>,
+    pub(crate) materials: Vec<PreparedMaterial>,
     pub(crate) background: Rgb,
 }
 
@@ -63,4 +63,26 @@ pub(crate) struct PrimitiveInfo {
 pub(crate) enum PreparedLight {
     Point { position: Vec3, color: Rgb },
     Directional { towards: Vec3, color: Rgb },
+}
+
+/// A material without its name; fields as in [`brt_scene::Material`].
+#[derive(Clone, Debug)]
+pub(crate) struct PreparedMaterial {
+    pub(crate) color: Rgb,
+    pub(crate) checker: Option<Checker>,
+    pub(crate) ambient: f64,
+    pub(crate) diffuse: f64,
+    pub(crate) specular: f64,
+    pub(crate) exponent: Exponent,
+    pub(crate) highlight: Highlight,
+    pub(crate) reflection: f64,
+    pub(crate) transmission: f64,
+    pub(crate) index_of_refraction: f64,
+}
+
+impl PreparedMaterial {
+    /// Does a ray end here?
+    pub(crate) fn is_dull(&self) -> bool {
+        self.reflection == 0.0 && self.transmission == 0.0
+    }
 }

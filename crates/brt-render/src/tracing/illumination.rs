@@ -2,7 +2,9 @@
 
 use brt_geometry::{Real, Vec3};
 use brt_image::Rgb;
-use brt_scene::{Highlight, Material};
+use brt_scene::Highlight;
+
+use crate::products::PreparedMaterial;
 
 /// The three unit vectors that shading depends on.
 pub(super) struct Directions<R> {
@@ -17,7 +19,7 @@ pub(super) struct Directions<R> {
 /// Light that a surface sends to the viewer from one visible source.
 #[inline(always)]
 pub(super) fn reflected_light<R: Real>(
-    material: &Material,
+    material: &PreparedMaterial,
     body: Rgb<R>,
     source: Rgb<R>,
     directions: &Directions<R>,
@@ -33,13 +35,13 @@ pub(super) fn reflected_light<R: Real>(
 
 /// Strength of the highlight before the material's factor.
 #[inline(always)]
-fn highlight<R: Real>(material: &Material, directions: &Directions<R>, n_l: R) -> R {
+fn highlight<R: Real>(material: &PreparedMaterial, directions: &Directions<R>, n_l: R) -> R {
     let Directions { normal, light, viewer } = directions;
     let cosine = match material.highlight {
         Highlight::Phong => R::constant(2.0) * n_l * normal.dot(*viewer) - light.dot(*viewer),
         Highlight::Blinn => normal.dot((*light + *viewer).normalize()),
     };
-    cosine.max(R::constant(0.0)).pow(material.exponent)
+    material.exponent.power(cosine.max(R::constant(0.0)))
 }
 
 /// Direction of the mirror ray: `direction` mirrored at the plane of the unit normal, of the same length.
@@ -62,12 +64,14 @@ pub(super) fn refracted(viewer: Vec3, normal: Vec3, ratio: f64) -> Option<Vec3> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prepare::prepare_material;
     use brt_geometry::vec3;
     use brt_image::rgb;
+    use brt_scene::Material;
 
     #[test]
     fn light_from_above_on_a_matte_floor() {
-        let material = Material::matte("m", rgb(0.5, 0.25, 1.0));
+        let material = prepare_material(&Material::matte("m", rgb(0.5, 0.25, 1.0)));
         let up = vec3(0.0, 1.0, 0.0);
         // l at 60° from the normal: n·l = 0.5; diffuse 0.8: 0.4 of the colour
         let light = vec3(0.75_f64.sqrt(), 0.5, 0.0);

@@ -2,9 +2,9 @@
 
 use brt_geometry::{Primitive, Ray, Vec3};
 use brt_image::Rgb;
-use brt_scene::{Axis, Material};
+use brt_scene::Axis;
 
-use crate::products::{NO_NORMALS, PreparedScene, PrimitiveInfo};
+use crate::products::{NO_NORMALS, PreparedMaterial, PreparedScene, PrimitiveInfo};
 
 /// A point on a surface, seen along a ray.
 pub(crate) struct Interaction<'a> {
@@ -18,7 +18,7 @@ pub(crate) struct Interaction<'a> {
     /// Does the ray come from behind the surface (from inside a solid)?
     pub(crate) from_behind: bool,
     pub(crate) info: &'a PrimitiveInfo,
-    pub(crate) material: &'a Material,
+    pub(crate) material: &'a PreparedMaterial,
     /// Colour of the body here.
     pub(crate) body: Rgb,
     /// The square of a chequered pattern, where there is one.
@@ -61,7 +61,7 @@ impl<'a> Interaction<'a> {
 }
 
 /// Colour of the body at a point, and the square of the pattern that it lies in.
-fn body_at(material: &Material, point: Vec3) -> (Rgb, Option<u64>) {
+fn body_at(material: &PreparedMaterial, point: Vec3) -> (Rgb, Option<u64>) {
     let Some(checker) = &material.checker else { return (material.color, None) };
     let (a, b) = match checker.axis {
         Axis::X => (point.y, point.z),

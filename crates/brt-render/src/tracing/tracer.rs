@@ -88,8 +88,7 @@ impl<'a> Tracer<'a> {
         for light in &self.scene.lights {
             color = color + self.light_from(light, &here, met.primitive);
         }
-        let is_dull = here.material.reflection == 0.0 && here.material.transmission == 0.0;
-        if is_dull {
+        if here.material.is_dull() {
             return color;
         }
         if bounces_left == 0 {
