@@ -82,8 +82,9 @@ mod tests {
 
     #[test]
     fn phong_and_blinn_peak_where_they_must() {
-        let mut material =
+        let shiny =
             Material { specular: 1.0, exponent: 2.0, diffuse: 0.0, ..Material::matte("m", Rgb::WHITE) };
+        let mut material = prepare_material(&shiny);
         let up = vec3(0.0, 1.0, 0.0);
         let directions = Directions { normal: up, light: vec3(0.6, 0.8, 0.0), viewer: vec3(-0.6, 0.8, 0.0) };
         for highlight in [Highlight::Phong, Highlight::Blinn] {
