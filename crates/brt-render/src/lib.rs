@@ -28,3 +28,4 @@ pub use products::{
 pub use render::{RenderError, render};
 pub use run::{Progress, Run, TileOrder};
 pub use settings::{Accelerator, HistoryKind, Method, Samples, Settings};
+pub use tracing::FirstSeen;

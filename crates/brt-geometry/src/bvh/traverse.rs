@@ -15,7 +15,7 @@ pub struct Traversal {
     pub nodes_visited: u64,
 }
 
-/// Five roundings of 2⁻²⁴ lie between the exact distance to a plane and ours.
+/// Six roundings of 2⁻²⁴ at most lie between the exact distance to a plane and ours.
 const SLACK: f32 = 1.0 / (1 << 21) as f32;
 
 impl Bvh {
@@ -24,6 +24,9 @@ impl Bvh {
     /// `visit` gets an item and returns the new `t_max`.
     #[inline(always)]
     pub fn closest(&self, ray: &Ray, t_max: f64, walk: &mut Traversal, mut visit: impl FnMut(u32) -> f64) {
+        if self.items.is_empty() {
+            return;
+        }
         let rounded = RoundedRay::new(ray, self.center);
         let mut limit = rounded.limit(t_max);
         walk.stack.clear();
@@ -52,6 +55,9 @@ impl Bvh {
         walk: &mut Traversal,
         mut visit: impl FnMut(u32) -> bool,
     ) -> bool {
+        if self.items.is_empty() {
+            return false;
+        }
         let rounded = RoundedRay::new(ray, self.center);
         let limit = rounded.limit(t_max);
         walk.stack.clear();
@@ -90,18 +96,20 @@ impl RoundedRay {
     fn new(ray: &Ray, center: Vec3) -> Self {
         let d = ray.direction;
         let scale = d.x.abs().max(d.y.abs()).max(d.z.abs());
+        let inverse_scale = 1.0 / scale;
         let origin = ray.origin - center;
         let mut rounded =
             Self { near_side: [0; 3], origin_near: [0.0; 3], origin_far: [0.0; 3], inverse: [0.0; 3], scale };
         for axis in 0..3 {
             let o = origin[axis] as f32;
-            let (down, up) = (o.next_down(), o.next_up());
+            // An origin that underflows to 0 is off by far less than the boxes' margin.
+            let (down, up) = (o - o.abs() * f32::EPSILON, o + o.abs() * f32::EPSILON);
             let backward = d[axis] < 0.0;
             rounded.near_side[axis] = usize::from(backward);
             rounded.origin_near[axis] = if backward { down } else { up };
             rounded.origin_far[axis] = if backward { up } else { down };
             // Not scale / d: for -0.0 that would be -∞ with the planes of a forward ray.
-            let inverse = (scale / d[axis].abs()) as f32;
+            let inverse = 1.0 / ((d[axis].abs() * inverse_scale) as f32);
             rounded.inverse[axis] = if backward { -inverse } else { inverse };
         }
         rounded

@@ -12,16 +12,22 @@ use brt_scene::{Light, Material, Scene};
 use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
 use flatten::Flattened;
 
+/// So few bounded primitives are tested faster than a tree over them is entered.
+const FEW: usize = 3;
+
 /// Flattens a scene and builds its BVH. The scene must have passed [`Scene::check`].
 pub fn prepare(scene: &Scene) -> PreparedScene {
     let Flattened { primitives, infos, surfaces, normals } = Flattened::of(scene);
     let mut boxes = Vec::with_capacity(primitives.len());
-    let mut unbounded = Vec::new();
+    let mut outside = Vec::new();
     for (id, primitive) in (0_u32..).zip(&primitives) {
         match primitive.bounds() {
             Some(bounds) => boxes.push((id, bounds)),
-            None => unbounded.push(id),
+            None => outside.push(id),
         }
+    }
+    if boxes.len() <= FEW {
+        outside.extend(boxes.drain(..).map(|(id, _)| id));
     }
     PreparedScene {
         bvh: Bvh::build(&boxes),
@@ -29,7 +35,7 @@ pub fn prepare(scene: &Scene) -> PreparedScene {
         infos,
         surfaces,
         normals,
-        unbounded,
+        outside,
         lights: scene.lights.iter().map(prepare_light).collect(),
         materials: scene.materials.iter().map(prepare_material).collect(),
         background: scene.background,

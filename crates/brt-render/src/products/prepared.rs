@@ -15,8 +15,8 @@ pub struct PreparedScene {
     pub(crate) surfaces: Vec<Surface>,
     /// Shading normals of smooth triangles.
     pub(crate) normals: Vec<[Vec3; 3]>,
-    /// Primitives that have no box and so stand outside the BVH.
-    pub(crate) unbounded: Vec<u32>,
+    /// Primitives outside the BVH: those without a box, or all of a tiny scene.
+    pub(crate) outside: Vec<u32>,
     /// Items are primitive ids.
     pub(crate) bvh: Bvh,
     pub(crate) lights: Vec<PreparedLight>,

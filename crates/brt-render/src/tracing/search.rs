@@ -97,8 +97,7 @@ impl<'a> Search<'a> {
         match self.accelerator {
             Accelerator::None => (0..scene.primitives.len() as u32).any(hides),
             Accelerator::Bvh => {
-                scene.unbounded.iter().any(|&id| hides(id))
-                    || scene.bvh.any(ray, t_max, &mut self.walk, hides)
+                scene.outside.iter().any(|&id| hides(id)) || scene.bvh.any(ray, t_max, &mut self.walk, hides)
             }
         }
     }
@@ -116,7 +115,7 @@ impl<'a> Search<'a> {
         match self.accelerator {
             Accelerator::None => (0..scene.primitives.len() as u32).for_each(|id| visit(id, &mut best)),
             Accelerator::Bvh => {
-                scene.unbounded.iter().for_each(|&id| visit(id, &mut best));
+                scene.outside.iter().for_each(|&id| visit(id, &mut best));
                 scene.bvh.closest(ray, best.t, &mut self.walk, |id| {
                     visit(id, &mut best);
                     best.t
