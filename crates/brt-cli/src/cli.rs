@@ -1,0 +1,70 @@
+//! The command line: subcommands and their dispatch.
+
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+
+use crate::commands::{compare, convert, formats, inspect, render, scene};
+use crate::exit::{Failure, Outcome};
+
+/// Border ray tracing: noise-free stills whose cost grows with the borders in the picture, not with its pixels.
+#[derive(Debug, Parser)]
+#[command(name = "brt", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Render a scene to a picture
+    Render(Box<render::Options>),
+    /// Measure how far two pictures differ
+    Compare(compare::Options),
+    /// Show what is in a scene and what was not understood
+    Inspect(inspect::Options),
+    /// Rewrite any readable scene as TOML
+    Convert(convert::Options),
+    /// Write one of our named scenes, or list them
+    Scene(scene::Options),
+    /// List the formats that can be read and written
+    Formats,
+}
+
+/// Does what the command line asks for.
+pub(crate) fn run() -> Result<Outcome, Failure> {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return no_command(error),
+    };
+    match cli.command {
+        Command::Render(options) => render::run(&options),
+        Command::Compare(options) => compare::run(&options),
+        Command::Inspect(options) => inspect::run(&options),
+        Command::Convert(options) => convert::run(&options),
+        Command::Scene(options) => scene::run(&options),
+        Command::Formats => formats::run(),
+    }
+}
+
+/// Help and version are no errors.
+fn no_command(error: clap::Error) -> Result<Outcome, Failure> {
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            // Nobody may be listening any more.
+            let _ = error.print();
+            Ok(Outcome::Done)
+        }
+        _ => Err(Failure::CommandLine(error)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn definition_is_sound() {
+        Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,85 @@
+//! `brt compare`: how far two pictures differ.
+
+use std::path::{Path, PathBuf};
+
+use brt::image::{self, PictureLimits, heat_map, read_picture};
+use brt::{Comparison, Encoding, Output};
+use clap::Args;
+
+use crate::exit::{Failure, Outcome, wrong_use};
+use crate::json::{self, ComparisonJson};
+use crate::output;
+use crate::scene_input::check_distinct;
+use crate::values;
+
+/// Options of `brt compare`.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// The picture that is right
+    #[arg(value_name = "REF")]
+    reference: PathBuf,
+    /// The picture that is judged
+    #[arg(value_name = "TEST")]
+    test: PathBuf,
+    /// Print the measures as JSON
+    #[arg(long)]
+    json: bool,
+    /// Exit with 3 if a difference is greater than this, in levels of 255
+    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    max_error: Option<f64>,
+    /// Write a picture of the differences: black 0, violet 1 level, then red to yellow
+    #[arg(long, value_name = "OUT")]
+    heat_map: Option<PathBuf>,
+    /// Refuse pictures of more pixels
+    #[arg(long, value_name = "N", default_value_t = PictureLimits::default().pixels, help_heading = "Limits")]
+    max_pixels: u64,
+}
+
+/// Compares two pictures.
+pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+    let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
+    let limits = PictureLimits { pixels: options.max_pixels };
+    let reference = read_picture(&options.reference, limits)?;
+    let test = read_picture(&options.test, limits)?;
+    let comparison = image::compare(&reference, &test)?;
+    if let Some(output) = heat_output {
+        let map = heat_map(&reference, &test)?;
+        let mut encoder = image::encoder(output.target.open()?, map.size(), output.encoding)?;
+        encoder.write(map.pixels())?;
+        encoder.finish()?;
+    }
+    if options.json {
+        output::line(&json::text(&ComparisonJson::from(&comparison))?);
+    } else {
+        output::line(&describe(&comparison));
+        if comparison.max_error == 1.0 && [&reference, &test].into_iter().all(has_whole_levels) {
+            output::line(
+                "one level is what rounding to 8 bits alone may make: the unrounded pictures may be closer",
+            );
+        }
+    }
+    let over = options.max_error.is_some_and(|limit| comparison.max_error > limit);
+    Ok(if over { Outcome::OverLimit } else { Outcome::Done })
+}
+
+/// Where the heat map goes; not over one of the pictures.
+fn heat_output(options: &Options, path: &Path) -> Result<Output, Failure> {
+    let output = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
+    for picture in [&options.reference, &options.test] {
+        check_distinct(picture, &[path.to_owned()])?;
+    }
+    Ok(Output { encoding: Encoding { format: output.encoding.format, ..Encoding::default() }, ..output })
+}
+
+fn describe(c: &Comparison) -> String {
+    format!(
+        "pixels      {}\nmean error  {:.4} levels of 255\nmax error   {}\nover 1      {}\nover 2      {}\nover 10     {}",
+        c.pixels, c.mean_error, c.max_error, c.over_1, c.over_2, c.over_10
+    )
+}
+
+/// Are all stored values codes of 8 bits?
+fn has_whole_levels(picture: &image::Picture) -> bool {
+    let pixels = picture.size().pixels() as usize;
+    (0..pixels).all(|i| picture.levels(i).iter().all(|level| level.fract() == 0.0))
+}

@@ -1,0 +1,34 @@
+//! `brt formats`: what can be read and written.
+
+use brt::{Format, PictureFormat};
+
+use crate::exit::{Failure, Outcome};
+use crate::output;
+
+/// Lists the formats.
+pub(crate) fn run() -> Result<Outcome, Failure> {
+    output::line("scenes");
+    for format in Format::ALL {
+        let extensions = format.extensions().join(", .");
+        output::line(&row(&format!(".{extensions}"), format.reads(), format.writes(), format.name()));
+    }
+    output::line("\npictures");
+    for (format, name) in [
+        (PictureFormat::Png, "Portable Network Graphics, 8 or 16 bits"),
+        (PictureFormat::Ppm, "portable pixmap, 8 or 16 bits"),
+        (PictureFormat::Exr, "OpenEXR, 32-bit floats, layers inside"),
+    ] {
+        output::line(&row(&format!(".{}", format.extension()), true, true, name));
+    }
+    Ok(Outcome::Done)
+}
+
+fn row(extensions: &str, reads: bool, writes: bool, name: &str) -> String {
+    let abilities = match (reads, writes) {
+        (true, true) => "read, write",
+        (true, false) => "read",
+        (false, true) => "write",
+        (false, false) => "",
+    };
+    format!("  {extensions:<8} {abilities:<12} {name}")
+}

@@ -1,0 +1,196 @@
+//! `brt inspect`: what is in a scene, and what was not understood.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use brt::{Camera, Diagnostic, Light, Limits, Projection, Scene, Vec3, prepare};
+use clap::Args;
+use serde::Serialize;
+
+use crate::exit::{Failure, Outcome};
+use crate::scene_input::{self, LimitOptions};
+use crate::{json, output};
+
+/// Options of `brt inspect`.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Scene file; `-` reads TOML from standard input
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Print it as JSON
+    #[arg(long)]
+    json: bool,
+    /// Options that bound the scene
+    #[command(flatten)]
+    limits: LimitOptions,
+}
+
+/// What there is to say about a scene.
+#[derive(Debug, Serialize)]
+struct Inspection {
+    objects: BTreeMap<&'static str, usize>,
+    primitives: usize,
+    surfaces: usize,
+    /// Of all bounded objects.
+    bounds: Option<[[f64; 3]; 2]>,
+    unbounded: usize,
+    lights: Vec<LightJson>,
+    materials: Vec<String>,
+    camera: CameraJson,
+    size: Option<[u32; 2]>,
+    max_depth: u32,
+    background: [f64; 3],
+    warnings: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(tag = "type", rename_all = "kebab-case")]
+enum LightJson {
+    Point { position: [f64; 3], color: [f64; 3] },
+    Directional { direction: [f64; 3], color: [f64; 3] },
+}
+
+#[derive(Debug, Serialize)]
+struct CameraJson {
+    eye: [f64; 3],
+    look_at: [f64; 3],
+    up: [f64; 3],
+    #[serde(flatten)]
+    projection: ProjectionJson,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(tag = "projection", rename_all = "kebab-case")]
+enum ProjectionJson {
+    Perspective { fov_deg: f64 },
+    Orthographic { extent: f64 },
+}
+
+/// Shows what is in a scene.
+pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+    let limits = options.limits.limits(Limits::DEFAULT_PICTURE_PIXELS);
+    let input = scene_input::read(&options.scene, &limits)?;
+    let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
+    if options.json {
+        output::line(&json::text(&inspection)?);
+    } else {
+        input.show_warnings();
+        output::line(&inspection.text());
+    }
+    Ok(Outcome::Done)
+}
+
+impl Inspection {
+    fn of(scene: &Scene, diagnostics: &[Diagnostic]) -> Self {
+        let prepared = prepare(scene);
+        let mut objects = BTreeMap::new();
+        for object in &scene.objects {
+            *objects.entry(object.shape.kind()).or_default() += 1;
+        }
+        Self {
+            objects,
+            primitives: prepared.primitive_count(),
+            surfaces: prepared.surfaces().len(),
+            bounds: scene.bounds().map(|corners| corners.map(triple)),
+            unbounded: scene.objects.iter().filter(|object| object.shape.bounds().is_none()).count(),
+            lights: scene.lights.iter().map(LightJson::of).collect(),
+            materials: scene.materials.iter().map(|material| material.name.clone()).collect(),
+            camera: CameraJson::of(&scene.camera),
+            size: scene.size,
+            max_depth: scene.max_depth,
+            background: scene.background.into(),
+            warnings: diagnostics.iter().map(|diagnostic| diagnostic.message.clone()).collect(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let kinds: Vec<String> = self.objects.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+        let bounds = match self.bounds {
+            Some([lo, hi]) => format!("{} to {}", spaced(lo), spaced(hi)),
+            None => "none".to_owned(),
+        };
+        let size = self.size.map_or("none".to_owned(), |[width, height]| format!("{width}×{height}"));
+        let mut lines = vec![
+            format!("objects     {}", if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") }),
+            format!("primitives  {}", self.primitives),
+            format!("surfaces    {}", self.surfaces),
+            format!("bounds      {bounds}{}", unbounded_note(self.unbounded)),
+            format!("lights      {}", self.lights.len()),
+        ];
+        lines.extend(self.lights.iter().map(|light| format!("            {}", light.text())));
+        lines.extend([
+            format!("materials   {}: {}", self.materials.len(), shortened(&self.materials)),
+            format!("camera      {}", self.camera.text()),
+            format!("size        {size}"),
+            format!("max depth   {}", self.max_depth),
+            format!("background  {}", spaced(self.background)),
+            format!("warnings    {}", self.warnings.len()),
+        ]);
+        lines.join("\n")
+    }
+}
+
+impl LightJson {
+    fn of(light: &Light) -> Self {
+        match light {
+            Light::Point { position, color } => {
+                Self::Point { position: triple(*position), color: (*color).into() }
+            }
+            Light::Directional { direction, color } => {
+                Self::Directional { direction: triple(*direction), color: (*color).into() }
+            }
+        }
+    }
+
+    fn text(&self) -> String {
+        match self {
+            Self::Point { position, color } => {
+                format!("point at {}, color {}", spaced(*position), spaced(*color))
+            }
+            Self::Directional { direction, color } => {
+                format!("directional along {}, color {}", spaced(*direction), spaced(*color))
+            }
+        }
+    }
+}
+
+impl CameraJson {
+    fn of(camera: &Camera) -> Self {
+        Self {
+            eye: triple(camera.eye),
+            look_at: triple(camera.look_at),
+            up: triple(camera.up),
+            projection: match camera.projection {
+                Projection::Perspective { fov_deg } => ProjectionJson::Perspective { fov_deg },
+                Projection::Orthographic { extent } => ProjectionJson::Orthographic { extent },
+            },
+        }
+    }
+
+    fn text(&self) -> String {
+        let projection = match self.projection {
+            ProjectionJson::Perspective { fov_deg } => format!("perspective, {fov_deg}°"),
+            ProjectionJson::Orthographic { extent } => format!("orthographic, extent {extent}"),
+        };
+        format!("at {} towards {}, {projection}", spaced(self.eye), spaced(self.look_at))
+    }
+}
+
+fn unbounded_note(count: usize) -> String {
+    if count == 0 { String::new() } else { format!(", and {count} without bounds") }
+}
+
+/// The first few of many names.
+fn shortened(names: &[String]) -> String {
+    const MOST: usize = 8;
+    let shown = names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if names.len() > MOST { format!("{shown}, …") } else { shown }
+}
+
+fn triple(v: Vec3) -> [f64; 3] {
+    [v.x, v.y, v.z]
+}
+
+fn spaced([x, y, z]: [f64; 3]) -> String {
+    format!("({x}, {y}, {z})")
+}

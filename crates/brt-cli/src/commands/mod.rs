@@ -1,0 +1,9 @@
+//! The subcommands.
+
+pub(crate) mod compare;
+pub(crate) mod convert;
+pub(crate) mod formats;
+pub(crate) mod inspect;
+pub(crate) mod render;
+pub(crate) mod scene;
+mod text_file;

@@ -1,0 +1,58 @@
+//! The chosen method with its settings; options of another method are refused.
+
+use brt::{
+    BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PixelSelectedSettings, VarianceDelta,
+};
+
+use super::options::{MethodName, Options};
+use super::paper::{JudgeName, PaperOptions};
+use crate::exit::{Failure, wrong_use};
+
+/// Δ and the first block's side where none is given. Paper: P7, reading 4.
+const DELTA: f64 = 16.0;
+const BLOCK: u32 = 16;
+
+/// The method that the options ask for.
+pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
+    let paper = &options.paper;
+    check_belonging(options.method, paper)?;
+    let delta = paper.delta.unwrap_or(DELTA);
+    let block = paper.block.unwrap_or(BLOCK);
+    Ok(match options.method {
+        MethodName::Full => Method::Full,
+        MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
+            block,
+            delta: DifferenceDelta(delta),
+            central_point: paper.icps,
+        }),
+        MethodName::Border => Method::Border(BorderSettings {
+            block,
+            judge: match paper.judge.unwrap_or_default() {
+                JudgeName::Deviation => Judge::Deviation(DeviationDelta(delta)),
+                JudgeName::Variance => Judge::Variance(VarianceDelta(delta)),
+                JudgeName::Difference => Judge::Difference(DifferenceDelta(delta)),
+            },
+            regions: paper.regions.unwrap_or_default().into(),
+        }),
+    })
+}
+
+fn check_belonging(method: MethodName, paper: &PaperOptions) -> Result<(), Failure> {
+    use MethodName::{Border, PixelSelected};
+    let given: [(&str, bool, &[MethodName]); 6] = [
+        ("--delta", paper.delta.is_some(), &[Border, PixelSelected]),
+        ("--judge", paper.judge.is_some(), &[Border]),
+        ("--regions", paper.regions.is_some(), &[Border]),
+        ("--history", paper.history.is_some(), &[Border, PixelSelected]),
+        ("--block", paper.block.is_some(), &[Border, PixelSelected]),
+        ("--icps", paper.icps, &[PixelSelected]),
+    ];
+    for (option, is_given, methods) in given {
+        if is_given && !methods.contains(&method) {
+            let names: Vec<_> = methods.iter().map(|m| format!("`--method {}`", m.name())).collect();
+            let owners = names.join(" and ");
+            return Err(wrong_use(format!("`{option}` belongs to {owners}, not to `{}`", method.name())));
+        }
+    }
+    Ok(())
+}

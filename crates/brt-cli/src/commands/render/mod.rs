@@ -1,0 +1,94 @@
+//! `brt render`: from a scene to a picture.
+
+mod method;
+mod options;
+mod paper;
+mod pixel;
+mod stats_file;
+mod summary;
+mod targets;
+
+use std::time::Instant;
+
+use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_to_files};
+
+use crate::exit::{Failure, Outcome};
+use crate::progress::Bar;
+use crate::{interrupt, output, scene_input};
+
+pub(crate) use options::Options;
+use stats_file::Seconds;
+use targets::Targets;
+
+/// Renders a scene.
+pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+    let begin = Instant::now();
+    let method = method::chosen(options)?;
+    let targets = Targets::new(options)?;
+
+    let limits = options.limits.limits(options.max_pixels);
+    let input = scene_input::read(&options.scene, &limits)?;
+    if !options.quiet {
+        input.show_warnings();
+    }
+    // Its text may be large.
+    let scene = input.scene;
+    let settings = settings(options, method, &scene)?;
+    let load = begin.elapsed().as_secs_f64();
+    if let Some(pixel) = options.pixel {
+        return pixel::show(options, &scene, settings, pixel);
+    }
+
+    let rendered = render(options, &targets, &scene, &settings)?;
+    let total = begin.elapsed().as_secs_f64();
+    let seconds = Seconds::new(load, total, &rendered);
+    if let Some(file) = &targets.stats {
+        stats_file::write(file, &settings, options.thread_count(), &rendered, &seconds)?;
+    }
+    summary::show(options, &targets, &settings, &rendered, total);
+    Ok(outcome(options, &rendered))
+}
+
+fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Settings, Failure> {
+    let size = options.size.or(scene.size).unwrap_or([1024, 1024]);
+    targets::check_size(size, options.max_pixels)?;
+    Ok(Settings {
+        size,
+        samples: options.samples,
+        filter: options.filter.into(),
+        method,
+        accelerator: options.paper.accelerator.into(),
+        history: options.paper.history.unwrap_or_default().into(),
+        max_depth: options.max_depth,
+        layers: Vec::new(),
+        compare_with_full: options.verifies(),
+    })
+}
+
+fn render(
+    options: &Options,
+    targets: &Targets,
+    scene: &Scene,
+    settings: &Settings,
+) -> Result<Rendered, Failure> {
+    let bar = (output::errors_are_seen() && !options.quiet).then(|| Bar::new(settings.size[1]));
+    let run = Run {
+        threads: options.thread_count(),
+        progress: bar.as_ref().map(|bar| bar as &dyn brt::Progress),
+        cancel: Some(interrupt::listen()),
+        ..Run::default()
+    };
+    render_to_files(scene, settings, &run, targets.picture.as_ref()).map_err(failure)
+}
+
+fn failure(error: RenderFilesError) -> Failure {
+    match error {
+        RenderFilesError::Render(RenderError::Cancelled) => Failure::Interrupted,
+        error => error.into(),
+    }
+}
+
+fn outcome(options: &Options, rendered: &Rendered) -> Outcome {
+    let error = rendered.comparison.map_or(0.0, |c| c.max_error);
+    if options.max_error.is_some_and(|limit| error > limit) { Outcome::OverLimit } else { Outcome::Done }
+}

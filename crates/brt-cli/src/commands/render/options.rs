@@ -1,0 +1,139 @@
+//! The options of `brt render`.
+
+use std::num::NonZero;
+use std::path::PathBuf;
+use std::thread::available_parallelism;
+
+use brt::{Limits, PictureLayer, Samples};
+use clap::{ArgAction, Args, ValueEnum};
+
+use super::paper::PaperOptions;
+use crate::scene_input::LimitOptions;
+use crate::values;
+
+/// Options of `brt render`.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Scene file; `-` reads TOML from standard input
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Same as --output
+    #[arg(value_name = "OUT", conflicts_with = "output")]
+    pub(crate) out: Option<PathBuf>,
+    /// Picture to write, .png, .ppm or .exr; `-` writes PNG to standard output [default: the scene's name with .png,
+    /// in the current folder]
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Picture size in pixels [default: the scene's, else 1024x1024]
+    #[arg(short, long, value_name = "WxH", value_parser = values::size)]
+    pub(crate) size: Option<[u32; 2]>,
+    /// Number of threads [default: one for each processor]
+    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Which pixels are traced
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) method: MethodName,
+    /// Samples per pixel
+    #[arg(long, value_name = "N", value_parser = values::samples(), default_value = "16")]
+    pub(crate) samples: Samples,
+    /// How samples become pixels
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) filter: FilterName,
+    /// Greatest number of bounces after the camera ray [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub(crate) max_depth: Option<u32>,
+    /// Bits of a channel, for .png and .ppm [default: 8]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(8..=16))]
+    pub(crate) bits: Option<u8>,
+    /// Layers to write too, with commas between: beside the picture as OUT.LAYER.png, or inside an .exr
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = values::layer())]
+    pub(crate) layers: Vec<PictureLayer>,
+    /// Write counts and times as JSON; `-` for standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) stats: Option<PathBuf>,
+    /// Compare every pixel with full ray tracing, before quantisation
+    #[arg(long)]
+    pub(crate) verify: bool,
+    /// Verify, and exit with 3 if an error is greater than this, in levels of 255
+    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    pub(crate) max_error: Option<f64>,
+    /// Write no picture; say what is seen in this pixel
+    #[arg(long, value_name = "X,Y", value_parser = values::pixel,
+          conflicts_with_all = ["out", "output", "layers", "bits", "stats", "no_save"])]
+    pub(crate) pixel: Option<[u32; 2]>,
+    /// Store linear light instead of sRGB
+    #[arg(long)]
+    pub(crate) linear: bool,
+    /// Write no picture: for timing
+    #[arg(long, conflicts_with_all = ["out", "output", "layers", "bits"])]
+    pub(crate) no_save: bool,
+    /// Say nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+    /// Print the summary even where nobody looks, and more of it
+    #[arg(short, long, action = ArgAction::SetTrue, conflicts_with = "quiet")]
+    pub(crate) verbose: bool,
+    /// Options of the methods of 1987
+    #[command(flatten)]
+    pub(crate) paper: PaperOptions,
+    /// Options that bound the scene
+    #[command(flatten)]
+    pub(crate) limits: LimitOptions,
+    /// Refuse pictures of more pixels
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS)]
+    pub(crate) max_pixels: u64,
+}
+
+impl Options {
+    /// Is every pixel compared with full ray tracing?
+    pub(crate) fn verifies(&self) -> bool {
+        self.verify || self.max_error.is_some()
+    }
+
+    /// How many threads render.
+    pub(crate) fn thread_count(&self) -> usize {
+        self.threads.map_or_else(|| available_parallelism().map_or(1, NonZero::get), usize::from)
+    }
+}
+
+/// Methods by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MethodName {
+    /// Every sample: standard ray tracing
+    Full,
+    /// Pixel-selected ray tracing (Akimoto, Mase 1986)
+    PixelSelected,
+    /// Border ray tracing (Hashimoto, Suenaga 1987)
+    #[default]
+    Border,
+}
+
+impl MethodName {
+    /// The name on the command line.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::PixelSelected => "pixel-selected",
+            Self::Border => "border",
+        }
+    }
+}
+
+/// Filters by name.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(crate) enum FilterName {
+    /// The mean of the pixel's own samples
+    #[default]
+    Box,
+    /// A Gaussian over the pixel and its neighbours
+    Gaussian,
+}
+
+impl From<FilterName> for brt::Filter {
+    fn from(name: FilterName) -> Self {
+        match name {
+            FilterName::Box => Self::Box,
+            FilterName::Gaussian => Self::Gaussian,
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! `--pixel X,Y`: what is seen in one pixel.
+//!
+//! The pixel is rendered just as in the whole picture, so that whatever is odd about it shows again: all rows down to
+//! it are rendered, and then the rendering stops.
+
+use std::fmt;
+
+use brt::{
+    Layer, LayerRows, RenderError, Rows, Run, SampleState, Scene, Settings, Sink, SinkError, Transfer,
+    prepare, render,
+};
+
+use super::options::Options;
+use crate::exit::{Failure, Outcome, wrong_use};
+use crate::{interrupt, output};
+
+/// Prints what is seen in a pixel.
+pub(super) fn show(
+    options: &Options,
+    scene: &Scene,
+    mut settings: Settings,
+    [x, y]: [u32; 2],
+) -> Result<Outcome, Failure> {
+    let [width, height] = settings.size;
+    if x >= width || y >= height {
+        return Err(wrong_use(format!("pixel {x},{y} is outside of the picture of {width}×{height}")));
+    }
+    settings.layers = Layer::ALL.to_vec();
+    let run = Run { threads: options.thread_count(), cancel: Some(interrupt::listen()), ..Run::default() };
+    let mut sink = PixelSink { pixel: [x, y], found: None };
+    match render(scene, &settings, &run, &mut sink) {
+        // The sink stops the rendering once it has what it wants.
+        Ok(_) | Err(RenderError::Sink(_)) => {}
+        Err(RenderError::Cancelled) => return Err(Failure::Interrupted),
+        Err(error) => return Err(error.into()),
+    }
+    let found = sink.found.ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
+    let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
+    output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()));
+    for line in describe(&found, scene, transfer) {
+        output::line(&line);
+    }
+    Ok(Outcome::Done)
+}
+
+/// Rows of a single pixel.
+struct PixelSink {
+    pixel: [u32; 2],
+    found: Option<Rows>,
+}
+
+impl Sink for PixelSink {
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
+        let [x, y] = self.pixel;
+        if y >= rows.first + rows.count() {
+            return Ok(());
+        }
+        let index = (y - rows.first) as usize * rows.width as usize + x as usize;
+        self.found = Some(Rows {
+            first: y,
+            width: 1,
+            colors: vec![rows.colors[index]],
+            full: rows.full.as_ref().map(|full| vec![full[index]]),
+            layers: rows.layers.iter().map(|layer| value_at(layer, index)).collect(),
+        });
+        Err(Box::new(Found))
+    }
+}
+
+/// Ends the rendering.
+#[derive(Debug)]
+struct Found;
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the pixel is rendered")
+    }
+}
+
+impl std::error::Error for Found {}
+
+fn value_at(layer: &LayerRows, index: usize) -> LayerRows {
+    match layer {
+        LayerRows::Surface(v) => LayerRows::Surface(vec![v[index]]),
+        LayerRows::Depth(v) => LayerRows::Depth(vec![v[index]]),
+        LayerRows::Normal(v) => LayerRows::Normal(vec![v[index]]),
+        LayerRows::History(v) => LayerRows::History(vec![v[index]]),
+        LayerRows::State(v) => LayerRows::State(vec![v[index]]),
+    }
+}
+
+fn describe(found: &Rows, scene: &Scene, transfer: Transfer) -> Vec<String> {
+    let layer = |layer: &LayerRows| match layer {
+        LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene)),
+        LayerRows::Depth(v) => format!("depth    {}", v[0]),
+        LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
+        LayerRows::History(v) => format!("history  {:016x}", v[0].0),
+        LayerRows::State(v) => format!("state    {}", state(v[0])),
+    };
+    let mut lines: Vec<String> = found.layers.iter().map(layer).collect();
+    lines.push(format!("color    {}", color(found.colors[0], transfer)));
+    if let Some(full) = &found.full {
+        lines.push(format!("full     {}", color(full[0], transfer)));
+        let level = |c: f32| 255.0 * transfer.encode(f64::from(c));
+        let error = |i: usize| (level(found.colors[0][i]) - level(full[0][i])).abs();
+        lines.push(format!("error    {:.3} levels", error(0).max(error(1)).max(error(2))));
+    }
+    lines
+}
+
+fn surface(id: u32, scene: &Scene) -> String {
+    let prepared = prepare(scene);
+    let Some(surface) = prepared.surfaces().get(id as usize) else {
+        return "none: the background".to_owned();
+    };
+    let Some(object) = scene.objects.get(surface.object) else { return id.to_string() };
+    let name = object.name.as_ref().map(|name| format!(" \"{name}\"")).unwrap_or_default();
+    let material = scene.materials.get(object.material.0 as usize).map_or("", |m| m.name.as_str());
+    format!("{id}, of object {}: {}{name}, material \"{material}\"", surface.object, object.shape.kind())
+}
+
+fn state(state: SampleState) -> &'static str {
+    match state {
+        SampleState::Traced => "traced",
+        SampleState::Shaded => "shaded",
+        SampleState::Filled => "filled",
+        SampleState::Pending => "pending",
+    }
+}
+
+fn color(linear: [f32; 3], transfer: Transfer) -> String {
+    let mut codes = [0_u8; 3];
+    transfer.quantize_8(&linear, &mut codes);
+    format!("{} linear, {} of 255 stored", triple(linear), triple(codes))
+}
+
+fn triple<T: fmt::Display>([a, b, c]: [T; 3]) -> String {
+    format!("{a} {b} {c}")
+}

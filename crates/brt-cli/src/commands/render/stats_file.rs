@@ -1,0 +1,116 @@
+//! The file of `--stats`. Its keys are a promise.
+
+use std::path::Path;
+
+use brt::{Method, Rendered, Settings, Stats};
+use serde::Serialize;
+
+use crate::commands::text_file;
+use crate::exit::Failure;
+use crate::json;
+
+/// Times in seconds: stages summed over threads, the others by the clock.
+#[derive(Debug, Serialize)]
+pub(super) struct Seconds {
+    load: f64,
+    prepare: f64,
+    perspective: f64,
+    select: f64,
+    trace: f64,
+    fill: f64,
+    render: f64,
+    encode: f64,
+    total: f64,
+}
+
+impl Seconds {
+    pub(super) fn new(load: f64, total: f64, rendered: &Rendered) -> Self {
+        let brt::rendering::Seconds { prepare, perspective, select, trace, fill, render } =
+            rendered.stats.seconds;
+        let encode = rendered.encode_seconds;
+        Self { load, prepare, perspective, select, trace, fill, render, encode, total }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct StatsJson<'a> {
+    method: &'static str,
+    width: u32,
+    height: u32,
+    samples: u32,
+    threads: usize,
+    seconds: &'a Seconds,
+    pixels: Pixels,
+    rays: Rays,
+    primitive_tests: u64,
+    nodes_visited: u64,
+    blocks: Blocks,
+}
+
+/// Counts of samples where there are several in a pixel.
+#[derive(Debug, Serialize)]
+struct Pixels {
+    total: u64,
+    traced: u64,
+    shaded: u64,
+    filled: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Rays {
+    camera: u64,
+    shadow: u64,
+    mirror: u64,
+    refracted: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Blocks {
+    judged: u64,
+    filled: u64,
+    divided: u64,
+}
+
+/// Writes the file.
+pub(super) fn write(
+    path: &Path,
+    settings: &Settings,
+    threads: usize,
+    rendered: &Rendered,
+    seconds: &Seconds,
+) -> Result<(), Failure> {
+    let Stats { pixels, rays, primitive_tests, nodes_visited, blocks, .. } = rendered.stats;
+    let json = StatsJson {
+        method: method_name(&settings.method),
+        width: settings.size[0],
+        height: settings.size[1],
+        samples: settings.samples.per_pixel(),
+        threads,
+        seconds,
+        pixels: Pixels {
+            total: pixels.total,
+            traced: pixels.traced,
+            shaded: pixels.shaded,
+            filled: pixels.filled,
+        },
+        rays: Rays {
+            camera: rays.camera,
+            shadow: rays.shadow,
+            mirror: rays.mirror,
+            refracted: rays.refracted,
+        },
+        primitive_tests,
+        nodes_visited,
+        blocks: Blocks { judged: blocks.judged, filled: blocks.filled, divided: blocks.divided },
+    };
+    text_file::write(path, &(json::text(&json)? + "\n"))
+}
+
+fn method_name(method: &Method) -> &'static str {
+    match method {
+        Method::Reference => "reference",
+        Method::Full => "full",
+        Method::PixelSelected(_) => "pixel-selected",
+        Method::Border(_) => "border",
+    }
+}

@@ -1,0 +1,141 @@
+//! The last words of a rendering.
+
+use brt::{Comparison, Judge, Method, Rendered, Settings, Target};
+
+use super::options::Options;
+use super::targets::Targets;
+use crate::output;
+
+/// Prints the verification where it was asked for, and the summary where it is seen.
+pub(super) fn show(
+    options: &Options,
+    targets: &Targets,
+    settings: &Settings,
+    rendered: &Rendered,
+    total: f64,
+) {
+    let to_stdout = targets.picture.as_ref().is_some_and(|p| p.target == Target::Stdout)
+        || targets.stats.as_deref().is_some_and(crate::scene_input::is_dash);
+    if let (true, Some(comparison)) = (options.verifies(), &rendered.comparison) {
+        let line = verification(comparison);
+        if to_stdout { output::note(&line) } else { output::line(&line) }
+    }
+    if options.verbose {
+        output::note(&details(rendered));
+    }
+    if !options.quiet && (options.verbose || output::errors_are_seen()) {
+        output::note(&last_line(targets, settings, rendered, total));
+    }
+}
+
+/// The line to cite. The error is rounded up: what is cited holds.
+fn verification(c: &Comparison) -> String {
+    let greatest = (c.max_error * 100.0).ceil() / 100.0;
+    let levels = if greatest > 1.0 { "levels" } else { "level" };
+    format!(
+        "{} pixels checked, greatest error {greatest:.2} {levels}, {} above 1",
+        grouped(c.pixels),
+        grouped(c.over_1)
+    )
+}
+
+/// `a.png 4096×4096 ×16 · 1.8 s · 1.4 % traced · border Δ 16`
+fn last_line(targets: &Targets, settings: &Settings, rendered: &Rendered, total: f64) -> String {
+    let name = match &targets.picture {
+        Some(picture) => match &picture.target {
+            Target::File(path) => format!("{} ", path.display()),
+            Target::Stdout => String::new(),
+        },
+        None => String::new(),
+    };
+    let [width, height] = settings.size;
+    let pixels = rendered.stats.pixels;
+    format!(
+        "{name}{width}×{height} ×{} · {} · {} traced · {}",
+        settings.samples.per_pixel(),
+        duration(total),
+        percent(pixels.traced, pixels.total),
+        method(&settings.method),
+    )
+}
+
+fn method(method: &Method) -> String {
+    match method {
+        Method::Reference => "reference".to_owned(),
+        Method::Full => "full".to_owned(),
+        Method::PixelSelected(settings) => format!("pixel-selected Δ {}", settings.delta.0),
+        Method::Border(settings) => match settings.judge {
+            Judge::Deviation(delta) => format!("border Δ {}", delta.0),
+            Judge::Variance(delta) => format!("border Δ {} of variance", delta.0),
+            Judge::Difference(delta) => format!("border Δ {} of difference", delta.0),
+        },
+    }
+}
+
+/// Where the time went and how much was done.
+fn details(rendered: &Rendered) -> String {
+    let brt::Stats { seconds, rays, primitive_tests, .. } = rendered.stats;
+    format!(
+        "prepare {}, render {}, encode {}\nrays: {} camera, {} shadow, {} mirror, {} refracted; {} primitive tests",
+        duration(seconds.prepare),
+        duration(seconds.render),
+        duration(rendered.encode_seconds),
+        grouped(rays.camera),
+        grouped(rays.shadow),
+        grouped(rays.mirror),
+        grouped(rays.refracted),
+        grouped(primitive_tests),
+    )
+}
+
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 0.1 => format!("{:.0} ms", 1000.0 * s),
+        s if s < 100.0 => format!("{s:.1} s"),
+        s => format!("{:.0} min {:02.0} s", (s / 60.0).floor(), (s % 60.0).floor()),
+    }
+}
+
+fn percent(part: u64, whole: u64) -> String {
+    if part == whole {
+        return "100 %".to_owned();
+    }
+    format!("{:.1} %", 100.0 * part as f64 / whole as f64)
+}
+
+/// Digits in groups of three.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let first = digits.len() % 3;
+    let mut groups: Vec<&str> = Vec::new();
+    if first > 0 {
+        groups.push(&digits[..first]);
+    }
+    groups.extend((first..digits.len()).step_by(3).map(|i| &digits[i..i + 3]));
+    groups.join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(grouped(16_777_216), "16,777,216");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(0), "0");
+        assert_eq!(duration(0.0123), "12 ms");
+        assert_eq!(duration(1.84), "1.8 s");
+        assert_eq!(duration(125.0), "2 min 05 s");
+        assert_eq!(percent(14, 1000), "1.4 %");
+        assert_eq!(percent(7, 7), "100 %");
+    }
+
+    #[test]
+    fn cited_errors_are_rounded_up() {
+        let comparison = Comparison { pixels: 4096, max_error: 0.901, over_1: 0, ..Comparison::default() };
+        assert_eq!(verification(&comparison), "4,096 pixels checked, greatest error 0.91 level, 0 above 1");
+        let comparison = Comparison { pixels: 10, max_error: 37.5, over_1: 2, ..Comparison::default() };
+        assert_eq!(verification(&comparison), "10 pixels checked, greatest error 37.50 levels, 2 above 1");
+    }
+}

@@ -1,0 +1,96 @@
+//! How the command ends: exit codes and the last words.
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use crate::{habits, interrupt, output};
+
+/// The command did what was asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// And nothing is to be said.
+    Done,
+    /// But a measured error is over the stated limit.
+    OverLimit,
+}
+
+/// The command did not do what was asked.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The command line cannot be understood.
+    CommandLine(clap::Error),
+    /// It asks for what makes no sense.
+    WrongUse(String),
+    /// A file, the machine or a limit stands against it.
+    CouldNot(anyhow::Error),
+    /// The same, and all has been said.
+    Reported,
+    /// The user stopped it.
+    Interrupted,
+}
+
+impl<E: Into<anyhow::Error>> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::CouldNot(error.into())
+    }
+}
+
+/// A failure by wrong use.
+pub(crate) fn wrong_use(message: impl Into<String>) -> Failure {
+    Failure::WrongUse(message.into())
+}
+
+/// Runs the command and says how it ended.
+pub(crate) fn run(command: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
+    let code = match command() {
+        Ok(Outcome::Done) => 0,
+        Ok(Outcome::OverLimit) => 3,
+        Err(failure) => {
+            report(&failure);
+            failure.code()
+        }
+    };
+    ExitCode::from(code)
+}
+
+impl Failure {
+    fn code(&self) -> u8 {
+        match self {
+            Self::CouldNot(_) | Self::Reported => 1,
+            Self::CommandLine(_) | Self::WrongUse(_) => 2,
+            Self::Interrupted => interrupt::EXIT_CODE,
+        }
+    }
+}
+
+fn report(failure: &Failure) {
+    match failure {
+        Failure::CommandLine(error) => {
+            // Nobody may be listening any more.
+            let _ = error.print();
+        }
+        Failure::WrongUse(message) => output::error(message),
+        Failure::CouldNot(error) => output::error(&with_causes(error.as_ref())),
+        Failure::Interrupted => output::error("interrupted, nothing was written"),
+        Failure::Reported => {}
+    }
+    if failure.code() == 2
+        && let Some(hint) = habits::hint(std::env::args_os().skip(1))
+    {
+        output::hint(&hint);
+    }
+}
+
+/// The message and its causes, those left out that the message tells already.
+fn with_causes(error: &(dyn Error + 'static)) -> String {
+    let mut message = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let text = error.to_string();
+        if !message.contains(&text) {
+            message = format!("{message}: {text}");
+        }
+        cause = error.source();
+    }
+    message
+}

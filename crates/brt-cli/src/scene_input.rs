@@ -1,0 +1,126 @@
+//! Scene files and standard input, with the limits that the command line sets.
+
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use brt::formats::ParseError;
+use brt::{Format, Limits, LoadError, Report, Scene, library, load, parse};
+use clap::Args;
+
+use crate::exit::{Failure, wrong_use};
+use crate::{diagnostics, output};
+
+/// Options that bound what a scene file may ask for.
+#[derive(Clone, Copy, Debug, Args)]
+#[command(next_help_heading = "Limits")]
+pub(crate) struct LimitOptions {
+    /// Refuse scenes of more primitives
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_OBJECTS)]
+    max_objects: u64,
+    /// Refuse larger scene files
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_BYTES)]
+    max_bytes: u64,
+}
+
+impl LimitOptions {
+    /// The limits, with those that have no option of their own raised along.
+    pub(crate) fn limits(self, max_pixels: u64) -> Limits {
+        let Self { max_objects, max_bytes } = self;
+        let defaults = Limits::default();
+        Limits {
+            bytes: max_bytes,
+            words: if max_bytes > defaults.bytes { max_bytes } else { defaults.words },
+            objects: max_objects,
+            points: defaults.points.max(max_objects.saturating_mul(3)),
+            max_picture_pixels: max_pixels,
+        }
+    }
+}
+
+/// A scene, and what its importer had to say.
+pub(crate) struct SceneInput {
+    pub(crate) scene: Scene,
+    pub(crate) report: Report,
+    text: String,
+    name: String,
+}
+
+impl SceneInput {
+    /// Draws warnings.
+    pub(crate) fn show_warnings(&self) {
+        if !self.report.diagnostics.is_empty() {
+            output::drawn(&diagnostics::draw(&self.report, &self.name, &self.text));
+        }
+    }
+}
+
+/// Is it standard input or output?
+pub(crate) fn is_dash(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Reads a scene from a file, or as TOML from standard input. Errors in it are drawn.
+pub(crate) fn read(path: &Path, limits: &Limits) -> Result<SceneInput, Failure> {
+    if is_dash(path) { read_stdin(limits) } else { read_file(path, limits) }
+}
+
+fn read_file(path: &Path, limits: &Limits) -> Result<SceneInput, Failure> {
+    let name = path.display().to_string();
+    match load(path, limits) {
+        Ok(loaded) => Ok(SceneInput { scene: loaded.scene, report: loaded.report, text: loaded.text, name }),
+        Err(LoadError::Malformed { report, text, .. }) => Err(malformed(&report, &name, &text)),
+        Err(error) => {
+            hint_at_named_scene(path, &error);
+            Err(error.into())
+        }
+    }
+}
+
+fn read_stdin(limits: &Limits) -> Result<SceneInput, Failure> {
+    let name = "standard input".to_owned();
+    let mut bytes = Vec::new();
+    io::stdin().lock().take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes)?;
+    match parse(Format::Toml, &bytes, limits) {
+        Ok((scene, report)) => Ok(SceneInput { scene, report, text: text_of(bytes), name }),
+        Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
+        Err(error) => Err(Failure::CouldNot(anyhow::anyhow!("{name}: {error}"))),
+    }
+}
+
+/// TOML that was understood this far is UTF-8.
+fn text_of(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+fn malformed(report: &Report, name: &str, text: &str) -> Failure {
+    output::drawn(&diagnostics::draw(report, name, text));
+    Failure::Reported
+}
+
+/// `brt render seed-a`
+fn hint_at_named_scene(path: &Path, error: &LoadError) {
+    let missing = matches!(error, LoadError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound);
+    if let (true, Some(name)) = (missing, path.to_str().filter(|name| library::find(name).is_some())) {
+        output::hint(&format!("`brt scene {name} -o {name}.toml` writes our scene of that name"));
+    }
+}
+
+/// Refuses to write a file over the scene it is made of, or two files to one place.
+pub(crate) fn check_distinct(scene: &Path, outputs: &[PathBuf]) -> Result<(), Failure> {
+    for (i, path) in outputs.iter().enumerate() {
+        if !is_dash(scene) && same_file(scene, path) {
+            return Err(wrong_use(format!("{} would overwrite the scene itself", path.display())));
+        }
+        if outputs[..i].iter().any(|earlier| same_file(earlier, path)) {
+            return Err(wrong_use(format!("{} would be written twice", path.display())));
+        }
+    }
+    Ok(())
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    }
+}

@@ -1,0 +1,142 @@
+//! From a scene to picture files.
+
+use std::path::{Path, PathBuf};
+
+use brt_image::{Comparison, EncodeError, Encoding, PictureFormat, PictureSize, Target};
+use brt_render::{RenderError, Run, Settings, Stats, render};
+use brt_scene::Scene;
+use rayon::ThreadPoolBuilder;
+use thiserror::Error;
+
+use crate::layer_paint::LayerPainter;
+use crate::layers::PictureLayer;
+use crate::measure::ErrorMeasure;
+use crate::picture_files::{PictureFiles, layer_path};
+
+/// Where a picture goes, and how it is stored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// The picture's file, or standard output.
+    pub target: Target,
+    /// Format, depth and transfer function.
+    pub encoding: Encoding,
+    /// Layers that are written too: inside the file if it is EXR, else as `out.depth.png` beside `out.png`.
+    pub layers: Vec<PictureLayer>,
+}
+
+/// Why a picture cannot be written where it was asked for.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The file's extension names no format that is written.
+    #[error("{}: not the name of a picture that can be written, expected `.png`, `.ppm` or `.exr`", path.display())]
+    UnknownExtension {
+        /// The file asked for.
+        path: PathBuf,
+    },
+}
+
+impl Output {
+    /// A picture in the format that the path's extension names: 8 bits, sRGB, no layers.
+    ///
+    /// # Errors
+    /// If the extension names no format.
+    pub fn to_file(path: &Path) -> Result<Self, OutputError> {
+        let format = PictureFormat::from_path(path)
+            .ok_or_else(|| OutputError::UnknownExtension { path: path.to_owned() })?;
+        let encoding = Encoding { format, ..Encoding::default() };
+        Ok(Self { target: Target::File(path.to_owned()), encoding, layers: Vec::new() })
+    }
+
+    /// A PNG on standard output: 8 bits, sRGB, no layers.
+    pub fn to_stdout() -> Self {
+        Self { target: Target::Stdout, encoding: Encoding::default(), layers: Vec::new() }
+    }
+
+    /// All files that are written, the picture first.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let Target::File(path) = &self.target else { return Vec::new() };
+        let mut files = vec![path.clone()];
+        if self.encoding.format != PictureFormat::Exr {
+            files.extend(self.layers.iter().map(|&layer| layer_path(path, layer)));
+        }
+        files
+    }
+}
+
+/// What came of rendering to files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rendered {
+    /// Counts and times. `seconds.render` is free of the time for encoding.
+    pub stats: Stats,
+    /// Time for encoding and writing, and for measuring the error.
+    pub encode_seconds: f64,
+    /// Error against full ray tracing, if [`Settings::compare_with_full`] asked for it or a layer needed it.
+    pub comparison: Option<Comparison>,
+}
+
+/// Why there are no files.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RenderFilesError {
+    /// The rendering failed or was cancelled.
+    #[error(transparent)]
+    Render(RenderError),
+    /// A file could not be written.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// No threads could be started.
+    #[error("cannot start threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+}
+
+impl From<RenderError> for RenderFilesError {
+    /// A sink that fails is one of our files.
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Sink(error) => match error.downcast() {
+                Ok(error) => Self::Encode(*error),
+                Err(error) => Self::Render(RenderError::Sink(error)),
+            },
+            error => Self::Render(error),
+        }
+    }
+}
+
+/// Renders a scene that passed [`Scene::check`] to a picture and its layers; without an output, for its statistics.
+///
+/// `settings.layers` need not be given: they follow from the output's. Files appear when the picture is complete; if
+/// anything fails, those that existed before are as they were.
+///
+/// # Errors
+/// If a file cannot be written, or see [`render`].
+pub fn render_to_files(
+    scene: &Scene,
+    settings: &Settings,
+    run: &Run,
+    output: Option<&Output>,
+) -> Result<Rendered, RenderFilesError> {
+    let settings = with_layers_of(output, settings);
+    let encoding = output.map(|output| output.encoding).unwrap_or_default();
+    let size = PictureSize::new(settings.size[0], settings.size[1]);
+    let pool = ThreadPoolBuilder::new().num_threads(run.threads).build()?;
+    let painter = LayerPainter::new(scene, encoding);
+    let measure = settings.compare_with_full.then(|| ErrorMeasure::new(encoding));
+    let mut files = PictureFiles::open(output, size, painter, measure, &pool)?;
+    let mut stats = render(scene, &settings, run, &mut files)?;
+    stats.seconds.render -= files.seconds();
+    let (encode_seconds, comparison) = files.finish()?;
+    Ok(Rendered { stats, encode_seconds, comparison })
+}
+
+fn with_layers_of(output: Option<&Output>, settings: &Settings) -> Settings {
+    let mut settings = settings.clone();
+    for layer in output.iter().flat_map(|output| &output.layers) {
+        match layer.source() {
+            Some(source) if !settings.layers.contains(&source) => settings.layers.push(source),
+            Some(_) => {}
+            None => settings.compare_with_full = true,
+        }
+    }
+    settings
+}

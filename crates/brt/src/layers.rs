@@ -1,0 +1,90 @@
+//! The layers of a picture by name, and how each becomes a picture of its own.
+
+use brt_image::Transfer;
+use brt_render::Layer;
+
+/// A layer that can be written beside the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PictureLayer {
+    /// Which surface is seen.
+    Surface,
+    /// How far away it is, along the view.
+    Depth,
+    /// Its shading normal.
+    Normal,
+    /// The ray history.
+    History,
+    /// How the pixel got its colour.
+    State,
+    /// How far it is from full ray tracing.
+    Error,
+}
+
+impl PictureLayer {
+    /// All layers.
+    pub const ALL: [Self; 6] =
+        [Self::Surface, Self::Depth, Self::Normal, Self::History, Self::State, Self::Error];
+
+    /// Its name in file names and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Surface => "surface",
+            Self::Depth => "depth",
+            Self::Normal => "normal",
+            Self::History => "history",
+            Self::State => "state",
+            Self::Error => "error",
+        }
+    }
+
+    /// What its picture shows, in a line.
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::Surface => "which surface is seen, in false colours",
+            Self::Depth => {
+                "distance along the view: white at the eye, grey in the scene's middle, black far away"
+            }
+            Self::Normal => "shading normal n as 0.5 + 0.5 n",
+            Self::History => "ray history, in false colours",
+            Self::State => "white: traced, grey: shaded, black: filled",
+            Self::Error => "difference from full ray tracing: black 0, violet 1 level, then red to yellow",
+        }
+    }
+
+    /// The layer with this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|layer| layer.name() == name)
+    }
+
+    /// What the renderer makes it of; the error comes from comparing instead.
+    pub(crate) fn source(self) -> Option<Layer> {
+        match self {
+            Self::Surface => Some(Layer::Surface),
+            Self::Depth => Some(Layer::Depth),
+            Self::Normal => Some(Layer::Normal),
+            Self::History => Some(Layer::History),
+            Self::State => Some(Layer::State),
+            Self::Error => None,
+        }
+    }
+
+    /// The transfer function of its picture: codes of data are proportional to it, false colours are colours.
+    pub(crate) fn transfer(self) -> Transfer {
+        match self {
+            Self::Depth | Self::Normal | Self::State => Transfer::Linear,
+            Self::Surface | Self::History | Self::Error => Transfer::Srgb,
+        }
+    }
+
+    /// Names of its channels in an EXR file, which holds values instead of colours where there are values.
+    pub(crate) fn channels(self) -> &'static [&'static str] {
+        match self {
+            Self::Surface => &["surface.id"],
+            Self::Depth => &["depth.Z"],
+            Self::Normal => &["normal.X", "normal.Y", "normal.Z"],
+            Self::History => &["history.R", "history.G", "history.B"],
+            Self::State => &["state.Y"],
+            Self::Error => &["error.Y"],
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! The files of a picture as one sink: each row goes to the picture's encoder and to those of its layers.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use brt_image::{
+    BandWriter, Comparison, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target,
+    encoder,
+};
+use brt_render::{Rows, Sink, SinkError};
+use rayon::ThreadPool;
+
+use crate::files::Output;
+use crate::layer_paint::LayerPainter;
+use crate::layers::PictureLayer;
+use crate::measure::ErrorMeasure;
+
+/// Takes rows: measures them against full ray tracing if that was rendered, and writes them if there is an output.
+pub(crate) struct PictureFiles<'a> {
+    files: Option<OpenFiles>,
+    painter: LayerPainter,
+    measure: Option<ErrorMeasure>,
+    /// Encoders and measuring keep to the threads of the run.
+    pool: &'a ThreadPool,
+    seconds: f64,
+}
+
+impl<'a> PictureFiles<'a> {
+    /// Opens every file, so that what cannot be written is known before the rendering.
+    pub(crate) fn open(
+        output: Option<&Output>,
+        size: PictureSize,
+        painter: LayerPainter,
+        measure: Option<ErrorMeasure>,
+        pool: &'a ThreadPool,
+    ) -> Result<Self, EncodeError> {
+        let files = output.map(|output| OpenFiles::open(output, size)).transpose()?;
+        Ok(Self { files, painter, measure, pool, seconds: 0.0 })
+    }
+
+    /// Puts all files in place. Returns the time spent on encoding and the measured error.
+    pub(crate) fn finish(self) -> Result<(f64, Option<Comparison>), EncodeError> {
+        let begin = Instant::now();
+        if let Some(files) = self.files {
+            self.pool.install(|| files.finish())?;
+        }
+        let seconds = self.seconds + begin.elapsed().as_secs_f64();
+        Ok((seconds, self.measure.map(|m| m.comparison())))
+    }
+
+    /// Time spent on encoding and measuring so far.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.seconds
+    }
+}
+
+impl Sink for PictureFiles<'_> {
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
+        let begin = Instant::now();
+        let Self { files, painter, measure, pool, .. } = self;
+        pool.install(|| -> Result<(), EncodeError> {
+            if let (Some(measure), Some(full)) = (measure, &rows.full) {
+                measure.add(&rows.colors, full);
+            }
+            files.as_mut().map_or(Ok(()), |files| files.write(rows, painter))
+        })?;
+        self.seconds += begin.elapsed().as_secs_f64();
+        Ok(())
+    }
+}
+
+/// A picture and its layers while they are written.
+enum OpenFiles {
+    /// All layers in one file.
+    Exr { encoder: Box<ExrEncoder>, layers: Vec<PictureLayer> },
+    /// A file for each layer.
+    Separate { picture: Box<dyn BandWriter>, layers: Vec<(PictureLayer, Box<dyn BandWriter>)> },
+}
+
+impl OpenFiles {
+    fn open(output: &Output, size: PictureSize) -> Result<Self, EncodeError> {
+        let Output { target, encoding, layers } = output;
+        if encoding.format == PictureFormat::Exr {
+            let names = layers.iter().flat_map(|layer| layer.channels()).copied();
+            let encoder = ExrEncoder::new(target.open()?, size, &ExrLayers::new(names))?;
+            return Ok(Self::Exr { encoder: Box::new(encoder), layers: layers.clone() });
+        }
+        let picture = encoder(target.open()?, size, *encoding)?;
+        let open = |&layer: &PictureLayer| {
+            let encoding = Encoding { transfer: layer.transfer(), ..*encoding };
+            Ok((layer, encoder(output.layer_target(layer).open()?, size, encoding)?))
+        };
+        let layers = layers.iter().map(open).collect::<Result<_, EncodeError>>()?;
+        Ok(Self::Separate { picture, layers })
+    }
+
+    fn write(&mut self, rows: &Rows, painter: &LayerPainter) -> Result<(), EncodeError> {
+        match self {
+            Self::Exr { encoder, layers } => {
+                let values: Vec<Vec<f32>> =
+                    layers.iter().flat_map(|&layer| painter.values(layer, rows)).collect();
+                let values: Vec<&[f32]> = values.iter().map(Vec::as_slice).collect();
+                encoder.write_with_layers(&rows.colors, &values)
+            }
+            Self::Separate { picture, layers } => {
+                picture.write(&rows.colors)?;
+                layers.iter_mut().try_for_each(|(layer, file)| file.write(&painter.colors(*layer, rows)))
+            }
+        }
+    }
+
+    /// The picture comes last: where it is new, its layers are.
+    fn finish(self) -> Result<(), EncodeError> {
+        match self {
+            Self::Exr { encoder, .. } => encoder.finish(),
+            Self::Separate { picture, layers } => {
+                layers.into_iter().try_for_each(|(_, file)| file.finish())?;
+                picture.finish()
+            }
+        }
+    }
+}
+
+/// `a/out.png` becomes `a/out.depth.png`.
+pub(crate) fn layer_path(picture: &Path, layer: PictureLayer) -> PathBuf {
+    let extension = picture.extension().unwrap_or_default().to_string_lossy();
+    picture.with_extension(format!("{}.{extension}", layer.name()))
+}
+
+impl Output {
+    fn layer_target(&self, layer: PictureLayer) -> Target {
+        match &self.target {
+            Target::File(path) => Target::File(layer_path(path, layer)),
+            Target::Stdout => Target::Stdout,
+        }
+    }
+}
