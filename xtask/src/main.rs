@@ -1,2 +1,59 @@
-//! Tasks of the repository.
-fn main() {}
+//! Tasks of the repository: measurements that are too long or need files of others, so that tests do not make them.
+#![allow(clippy::print_stdout, reason = "a task prints what it measured")]
+
+mod agree;
+mod borders;
+mod mutate;
+mod povray;
+mod scenes;
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+/// Measurements of the repository.
+#[derive(Parser)]
+enum Task {
+    /// Compares the perspective image with first hits by search, on every sample.
+    Agree {
+        /// Width and height.
+        #[arg(long, default_value_t = 1024)]
+        size: u32,
+        /// Scene files or names; none: the seed scenes and all procedural ones.
+        scenes: Vec<String>,
+    },
+    /// Prints rays per pixel of `full` and the share of pixels whose ray history differs from a neighbour's.
+    Borders {
+        /// Width and height.
+        #[arg(long, default_value_t = 1024)]
+        size: u32,
+        /// Scene files or names; none: the seed scenes.
+        scenes: Vec<String>,
+    },
+    /// Compares our pictures of the seed scenes with POV-Ray's (`povray-{a,b,c}-512-linear.ppm`).
+    Povray {
+        /// The folder with these pictures.
+        pictures: PathBuf,
+    },
+    /// Renders broken variants of scene files; none may crash, hang, or end with another code than 0 or 1.
+    Mutate {
+        /// Number of variants.
+        #[arg(long, default_value_t = 10_000)]
+        count: u32,
+        /// The command to test.
+        #[arg(long, default_value = "target/release/brt")]
+        brt: PathBuf,
+        /// Scene files to start from.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+    },
+}
+
+fn main() -> anyhow::Result<()> {
+    match Task::parse() {
+        Task::Agree { size, scenes } => agree::run(size, &scenes),
+        Task::Borders { size, scenes } => borders::run(size, &scenes),
+        Task::Povray { pictures } => povray::run(&pictures),
+        Task::Mutate { count, brt, files } => mutate::run(count, &brt, &files),
+    }
+}

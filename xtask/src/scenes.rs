@@ -1,0 +1,43 @@
+//! Scenes by file or name.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use brt_formats::{Limits, load};
+use brt_render::{Layer, LayerRows, Rows, Run, Settings, Stats, render};
+use brt_scene::{Scene, procedural};
+
+/// The seed scenes.
+pub(crate) const SEED: [&str; 3] = ["scenes/seed/a.toml", "scenes/seed/b.toml", "scenes/seed/c.toml"];
+
+/// A scene file, or a procedural scene of that name.
+pub(crate) fn open(name: &str) -> Result<Scene> {
+    match procedural::find(name) {
+        Some(scene) => scene.build(None).with_context(|| format!("cannot build {name}")),
+        None => Ok(load(Path::new(name), &Limits::default())
+            .with_context(|| format!("cannot read {name}"))?
+            .scene),
+    }
+}
+
+/// Renders a scene into memory, joined to whole layers.
+pub(crate) fn render_whole(scene: &Scene, settings: &Settings) -> Result<(Vec<[f32; 3]>, Vec<Rows>, Stats)> {
+    let mut rows: Vec<Rows> = Vec::new();
+    let stats = render(scene, settings, &Run::default(), &mut rows)?;
+    let colors = rows.iter().flat_map(|r| r.colors.iter().copied()).collect();
+    Ok((colors, rows, stats))
+}
+
+/// Settings of a square picture with some layers.
+pub(crate) fn square(size: u32, layers: &[Layer]) -> Settings {
+    Settings { layers: layers.to_vec(), ..Settings::new([size, size]) }
+}
+
+/// One layer of all rows.
+pub(crate) fn layer<T: Clone>(
+    rows: &[Rows],
+    index: usize,
+    take: impl Fn(&LayerRows) -> Option<&Vec<T>>,
+) -> Vec<T> {
+    rows.iter().filter_map(|r| take(&r.layers[index])).flatten().cloned().collect()
+}
