@@ -36,10 +36,14 @@ fn group<'a>(diagnostic: &'a Diagnostic, name: &'a str, text: &'a str) -> Group<
     let place = Place::of(span, text);
     let label = diagnostic.expected.as_ref().map(|expected| format!("expected {expected}"));
     let mark = AnnotationKind::Primary.span(place.mark.clone()).label(label);
-    level
-        .primary_title(&diagnostic.message)
-        .element(Origin::path(name).line(place.line).char_column(place.column))
-        .element(Snippet::source(place.excerpt).line_start(place.line).annotation(mark))
+    let snippet = Snippet::source(place.excerpt).line_start(place.line).annotation(mark);
+    let title = level.primary_title(&diagnostic.message);
+    if place.is_cut {
+        // The snippet alone would count the column from where it was cut.
+        let origin = Origin::path(name).line(place.line).char_column(place.column);
+        return title.element(origin).element(snippet);
+    }
+    title.element(snippet.path(name))
 }
 
 /// Where a span is, and what is shown of its first line.
@@ -50,6 +54,7 @@ struct Place {
     /// In characters, counted from 1.
     column: usize,
     excerpt: String,
+    is_cut: bool,
     /// In the excerpt.
     mark: Range<usize>,
 }
@@ -75,6 +80,7 @@ impl Place {
             line: text[..line_start].bytes().filter(|&b| b == b'\n').count() + 1,
             column: text[line_start..start].chars().count() + 1,
             excerpt: format!("{before}{}{after}", &text[from..to]),
+            is_cut: from > line_start,
             mark: shift(start)..shift(end),
         }
     }
@@ -110,7 +116,11 @@ mod tests {
         assert_eq!((place.line, place.column), (2, at - 5));
         assert_eq!(&place.excerpt[place.mark.clone()], "oops");
         assert!(place.excerpt.len() < 130);
-        assert!(drawn(Diagnostic::error("bad", Some(at..at + 4)), &text).lines().all(|l| l.len() < 200));
+        let drawn = drawn(Diagnostic::error("bad", Some(at..at + 4)), &text);
+        assert!(
+            drawn.lines().all(|l| l.len() < 200) && drawn.contains(&format!("a.toml:2:{}", at - 5)),
+            "{drawn}"
+        );
     }
 
     #[test]

@@ -22,7 +22,12 @@ pub(crate) enum Failure {
     /// It asks for what makes no sense.
     WrongUse(String),
     /// A file, the machine or a limit stands against it.
-    CouldNot(anyhow::Error),
+    CouldNot {
+        /// What it is.
+        error: anyhow::Error,
+        /// What may help.
+        hint: Option<String>,
+    },
     /// The same, and all has been said.
     Reported,
     /// The user stopped it.
@@ -31,7 +36,7 @@ pub(crate) enum Failure {
 
 impl<E: Into<anyhow::Error>> From<E> for Failure {
     fn from(error: E) -> Self {
-        Self::CouldNot(error.into())
+        Self::CouldNot { error: error.into(), hint: None }
     }
 }
 
@@ -56,7 +61,7 @@ pub(crate) fn run(command: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCod
 impl Failure {
     fn code(&self) -> u8 {
         match self {
-            Self::CouldNot(_) | Self::Reported => 1,
+            Self::CouldNot { .. } | Self::Reported => 1,
             Self::CommandLine(_) | Self::WrongUse(_) => 2,
             Self::Interrupted => interrupt::EXIT_CODE,
         }
@@ -70,7 +75,12 @@ fn report(failure: &Failure) {
             let _ = error.print();
         }
         Failure::WrongUse(message) => output::error(message),
-        Failure::CouldNot(error) => output::error(&with_causes(error.as_ref())),
+        Failure::CouldNot { error, hint } => {
+            output::error(&with_causes(error.as_ref()));
+            if let Some(hint) = hint {
+                output::hint(hint);
+            }
+        }
         Failure::Interrupted => output::error("interrupted, nothing was written"),
         Failure::Reported => {}
     }

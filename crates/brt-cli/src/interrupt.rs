@@ -9,7 +9,8 @@ static CANCEL: AtomicBool = AtomicBool::new(false);
 /// Is something going on that asks for `CANCEL` and has files to remove?
 static LISTENING: AtomicBool = AtomicBool::new(false);
 
-/// From now on an interrupt only sets the flag that is returned; the second one ends the process at once.
+/// From now on an interrupt only sets the flag that is returned. The second one ends the process at once, for those
+/// who cannot wait; a hidden `.part` file may stay then.
 pub(crate) fn listen() -> &'static AtomicBool {
     let handler = || {
         let first = !CANCEL.swap(true, Ordering::Relaxed);

@@ -12,7 +12,8 @@ pub(crate) fn install_hook() {
 fn message(info: &PanicHookInfo) -> String {
     let what = info.payload_as_str().unwrap_or("no message");
     let place = info.location().map(|l| format!(" at {l}")).unwrap_or_default();
-    let command: Vec<String> = std::env::args().collect();
+    // Names of files need not be text.
+    let command: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
     format!(
         "error: this is a bug in brt {}, not in your scene: {what}{place}\n\
          Please report it with the scene file and the command: {}\n\

@@ -69,10 +69,7 @@ fn read_file(path: &Path, limits: &Limits) -> Result<SceneInput, Failure> {
     match load(path, limits) {
         Ok(loaded) => Ok(SceneInput { scene: loaded.scene, report: loaded.report, text: loaded.text, name }),
         Err(LoadError::Malformed { report, text, .. }) => Err(malformed(&report, &name, &text)),
-        Err(error) => {
-            hint_at_named_scene(path, &error);
-            Err(error.into())
-        }
+        Err(error) => Err(cannot_load(path, error)),
     }
 }
 
@@ -83,7 +80,7 @@ fn read_stdin(limits: &Limits) -> Result<SceneInput, Failure> {
     match parse(Format::Toml, &bytes, limits) {
         Ok((scene, report)) => Ok(SceneInput { scene, report, text: text_of(bytes), name }),
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
-        Err(error) => Err(Failure::CouldNot(anyhow::anyhow!("{name}: {error}"))),
+        Err(error) => Err(anyhow::anyhow!("{name}: {error}").into()),
     }
 }
 
@@ -97,12 +94,12 @@ fn malformed(report: &Report, name: &str, text: &str) -> Failure {
     Failure::Reported
 }
 
-/// `brt render seed-a`
-fn hint_at_named_scene(path: &Path, error: &LoadError) {
-    let missing = matches!(error, LoadError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound);
-    if let (true, Some(name)) = (missing, path.to_str().filter(|name| library::find(name).is_some())) {
-        output::hint(&format!("`brt scene {name} -o {name}.toml` writes our scene of that name"));
-    }
+/// Knows those who type `brt render seed-a`.
+fn cannot_load(path: &Path, error: LoadError) -> Failure {
+    let missing = matches!(&error, LoadError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound);
+    let name = path.to_str().filter(|name| missing && library::find(name).is_some());
+    let hint = name.map(|name| format!("`brt scene {name} -o {name}.toml` writes our scene of that name"));
+    Failure::CouldNot { error: error.into(), hint }
 }
 
 /// Refuses to write a file over the scene it is made of, or two files to one place.

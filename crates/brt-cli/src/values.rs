@@ -1,6 +1,6 @@
 //! Values on the command line.
 
-use brt::{PictureLayer, Samples};
+use brt::{BitDepth, PictureLayer, Samples};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// `WIDTHxHEIGHT` in pixels.
@@ -33,6 +33,12 @@ pub(crate) fn samples() -> impl TypedValueParser<Value = Samples> {
         let named = |s: &Samples| s.per_pixel().to_string() == text;
         Samples::ALL.into_iter().find(named).unwrap_or_default()
     })
+}
+
+/// Bits of a channel.
+pub(crate) fn bits() -> impl TypedValueParser<Value = BitDepth> {
+    PossibleValuesParser::new(["8", "16"])
+        .map(|text| if text == "16" { BitDepth::Sixteen } else { BitDepth::Eight })
 }
 
 /// A layer by its name.

@@ -10,7 +10,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
     output::line("scenes");
     for format in Format::ALL {
         let extensions = format.extensions().join(", .");
-        output::line(&row(&format!(".{extensions}"), format.reads(), format.writes(), format.name()));
+        output::line(&row(&format!(".{extensions}"), abilities(format), format.name()));
     }
     output::line("\npictures");
     for (format, name) in [
@@ -18,17 +18,20 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
         (PictureFormat::Ppm, "portable pixmap, 8 or 16 bits"),
         (PictureFormat::Exr, "OpenEXR, 32-bit floats, layers inside"),
     ] {
-        output::line(&row(&format!(".{}", format.extension()), true, true, name));
+        output::line(&row(&format!(".{}", format.extension()), "read, write", name));
     }
     Ok(Outcome::Done)
 }
 
-fn row(extensions: &str, reads: bool, writes: bool, name: &str) -> String {
-    let abilities = match (reads, writes) {
+fn row(extensions: &str, abilities: &str, name: &str) -> String {
+    format!("  {extensions:<8} {abilities:<12} {name}")
+}
+
+fn abilities(format: Format) -> &'static str {
+    match (format.reads(), format.writes()) {
         (true, true) => "read, write",
         (true, false) => "read",
         (false, true) => "write",
         (false, false) => "",
-    };
-    format!("  {extensions:<8} {abilities:<12} {name}")
+    }
 }

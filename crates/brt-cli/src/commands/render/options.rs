@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-use brt::{Limits, PictureLayer, Samples};
+use brt::{BitDepth, Limits, PictureLayer, Samples};
 use clap::{ArgAction, Args, ValueEnum};
 
 use super::paper::PaperOptions;
@@ -43,8 +43,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub(crate) max_depth: Option<u32>,
     /// Bits of a channel, for .png and .ppm [default: 8]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(8..=16))]
-    pub(crate) bits: Option<u8>,
+    #[arg(long, value_name = "N", value_parser = values::bits())]
+    pub(crate) bits: Option<BitDepth>,
     /// Layers to write too, with commas between: beside the picture as OUT.LAYER.png, or inside an .exr
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = values::layer())]
     pub(crate) layers: Vec<PictureLayer>,
@@ -80,7 +80,7 @@ pub(crate) struct Options {
     #[command(flatten)]
     pub(crate) limits: LimitOptions,
     /// Refuse pictures of more pixels
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS)]
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS, help_heading = "Limits")]
     pub(crate) max_pixels: u64,
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use anyhow::bail;
-use brt::{BitDepth, Output, PictureFormat, Transfer};
+use brt::{Output, PictureFormat, Transfer};
 
 use super::options::Options;
 use crate::exit::{Failure, wrong_use};
@@ -48,11 +48,7 @@ fn picture(options: &Options) -> Result<Output, Failure> {
     if options.bits.is_some() && output.encoding.format == PictureFormat::Exr {
         return Err(wrong_use("`--bits` belongs to .png and .ppm; .exr has 32-bit floats"));
     }
-    output.encoding.depth = match options.bits {
-        None | Some(8) => BitDepth::Eight,
-        Some(16) => BitDepth::Sixteen,
-        Some(bits) => return Err(wrong_use(format!("`--bits {bits}`: expected 8 or 16"))),
-    };
+    output.encoding.depth = options.bits.unwrap_or_default();
     output.encoding.transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
     for &layer in &options.layers {
         if !output.layers.contains(&layer) {

@@ -1,0 +1,107 @@
+//! What cannot be done ends with exit code 1 or an interrupt, and leaves files as they were.
+
+use std::fs;
+
+use crate::bench::{Bench, SCENE};
+
+#[test]
+fn files_that_are_not_there_or_not_scenes() {
+    let bench = Bench::new();
+    bench.write("part.stl", "solid cube");
+    for (arguments, part) in [
+        ("render missing.toml", "missing.toml"),
+        ("render part.stl", "part.stl"),
+        ("render ball.toml -s 8x8 -o no/such/folder.png", "folder.png"),
+        ("inspect missing.toml", "missing.toml"),
+        ("convert missing.nff a.toml", "missing.nff"),
+        ("compare missing.png ball.toml", "missing.png"),
+        ("compare ball.toml ball.toml", "ball.toml"),
+    ] {
+        let ended = bench.run(arguments);
+        assert_eq!(ended.code, Some(1), "{arguments}: {}", ended.errors);
+        assert!(ended.errors.starts_with("error: ") && ended.errors.contains(part), "{}", ended.errors);
+    }
+    assert_eq!(bench.files(), ["ball.toml", "part.stl"]);
+}
+
+#[test]
+fn a_scene_of_ours_is_found_by_its_name() {
+    let errors = Bench::new().run("render seed-a").errors;
+    assert!(
+        errors.ends_with("hint: `brt scene seed-a -o seed-a.toml` writes our scene of that name\n"),
+        "{errors}"
+    );
+}
+
+#[test]
+fn errors_in_scenes_are_drawn_and_nothing_is_written() {
+    let bench = Bench::new();
+    bench.write("bad.toml", &SCENE.replace("radius = 1", "radius = -1"));
+    bench.write("bad.png", "a picture of before");
+    let ended = bench.run("render bad.toml -s 8x8");
+    assert_eq!(ended.code, Some(1));
+    for part in
+        ["error: `radius` is -1", "bad.toml:19:", "radius = -1", "^", "expected a finite number above 0"]
+    {
+        assert!(ended.errors.contains(part), "{part}: {}", ended.errors);
+    }
+    assert_eq!(bench.read("bad.png"), b"a picture of before");
+    assert_eq!(bench.files(), ["bad.png", "bad.toml", "ball.toml"]);
+    let piped = bench.run_with_input("render - -o a.png", "size = 3\n");
+    assert_eq!(piped.code, Some(1));
+    assert!(piped.errors.contains("standard input:1:"), "{}", piped.errors);
+}
+
+#[test]
+fn limits_are_refused_before_anything_is_rendered() {
+    let bench = Bench::new();
+    for (arguments, part) in [
+        ("render ball.toml -s 100x100 --max-pixels 9999", "--max-pixels"),
+        ("render ball.toml -s 4000000000x4000000000", "--max-pixels"),
+        ("render ball.toml -s 20000000x1", "side"),
+        ("render ball.toml --max-objects 1", "1 primitives"),
+        ("render ball.toml --max-bytes 10", "10 bytes"),
+    ] {
+        let ended = bench.run(arguments);
+        assert_eq!(ended.code, Some(1), "{arguments}: {}", ended.errors);
+        assert!(ended.errors.contains(part), "{}", ended.errors);
+    }
+    assert_eq!(bench.files(), ["ball.toml"]);
+}
+
+#[test]
+fn a_layer_that_cannot_be_written_keeps_the_old_picture() {
+    let bench = Bench::new();
+    bench.write("a.png", "a picture of before");
+    fs::create_dir(bench.path("a.depth.png")).unwrap();
+    let ended = bench.run("render ball.toml a.png -s 8x8 --layers depth");
+    assert_eq!(ended.code, Some(1));
+    assert_eq!(bench.read("a.png"), b"a picture of before");
+    assert_eq!(bench.files(), ["a.depth.png", "a.png", "ball.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_no_trace() {
+    use std::process::Stdio;
+    use std::time::{Duration, Instant};
+
+    let bench = Bench::new();
+    bench.write("a.png", "a picture of before");
+    let mut command =
+        bench.command("render ball.toml a.png -s 16000x16000 --method full --layers depth -j 2");
+    let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
+    let begin = Instant::now();
+    // Both temporary files are there once it renders.
+    while bench.files().len() < 4 {
+        assert!(begin.elapsed() < Duration::from_secs(60) && child.try_wait().unwrap().is_none());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    std::thread::sleep(Duration::from_millis(100));
+    let pid = child.id().to_string();
+    assert!(std::process::Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    assert_eq!(bench.read("a.png"), b"a picture of before");
+    assert_eq!(bench.files(), ["a.png", "ball.toml"]);
+}

@@ -1,0 +1,75 @@
+//! Help mentions every option that scripts rely on.
+
+use crate::bench::Bench;
+
+fn mentions(command: &str, options: &[&str]) {
+    let help = Bench::new().done(&format!("{command} --help"));
+    assert_eq!(help.errors, "");
+    for option in options {
+        assert!(help.text().contains(option), "brt {command} --help lacks {option}:\n{}", help.text());
+    }
+}
+
+#[test]
+fn of_render() {
+    mentions(
+        "render",
+        &[
+            "<SCENE>",
+            "[OUT]",
+            "-o, --output",
+            "-s, --size",
+            "-j, --threads",
+            "--method",
+            "full",
+            "pixel-selected",
+            "border",
+            "--samples",
+            "--filter",
+            "--max-depth",
+            "--bits",
+            "--layers",
+            "--stats",
+            "--verify",
+            "--max-error",
+            "--pixel",
+            "--linear",
+            "--no-save",
+            "-q, --quiet",
+            "-v, --verbose",
+        ],
+    );
+    mentions(
+        "render",
+        &[
+            "Paper:",
+            "--delta",
+            "--judge",
+            "--regions",
+            "--history",
+            "--block",
+            "--icps",
+            "--accelerator",
+            "Limits:",
+            "--max-objects",
+            "--max-bytes",
+            "--max-pixels",
+        ],
+    );
+}
+
+#[test]
+fn of_the_others() {
+    mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);
+    mentions("inspect", &["<SCENE>", "--json", "--max-objects", "--max-bytes"]);
+    mentions("convert", &["<IN>", "<OUT.toml>"]);
+    mentions("scene", &["[NAME]", "--size", "-o, --output"]);
+    mentions("formats", &["Usage"]);
+    mentions("", &["render", "compare", "inspect", "convert", "scene", "formats"]);
+}
+
+#[test]
+fn options_of_a_method_that_does_not_exist_are_not_offered() {
+    let help = Bench::new().done("render --help");
+    assert!(!help.text().contains("certified") && !help.text().contains("tolerance"));
+}

@@ -1,0 +1,9 @@
+//! The command as its users see it: runs the binary on small scenes in a folder of its own.
+
+mod bench;
+mod compare;
+mod failures;
+mod help;
+mod render;
+mod scenes;
+mod wrong_use;

@@ -1,0 +1,97 @@
+//! Wrong use ends with exit code 2, before anything is read or written.
+
+use std::fs;
+
+use crate::bench::Bench;
+
+/// Runs each command line and expects wrong use, with these words on standard error.
+fn refuses(cases: &[(&str, &str)]) {
+    let bench = Bench::new();
+    for (arguments, part) in cases {
+        let ended = bench.run(arguments);
+        assert_eq!(ended.code, Some(2), "brt {arguments}: {}", ended.errors);
+        assert!(ended.errors.contains(part), "brt {arguments}: {}", ended.errors);
+    }
+    assert_eq!(bench.files(), ["ball.toml"]);
+}
+
+#[test]
+fn options_that_belong_to_another_method() {
+    refuses(&[
+        ("render ball.toml --method full --judge variance", "`--judge` belongs to `--method border`"),
+        ("render ball.toml --method full --delta 3", "`--method border` and `--method pixel-selected`"),
+        ("render ball.toml --icps", "`--icps` belongs to `--method pixel-selected`"),
+        ("render ball.toml --method border --icps", "not to `border`"),
+        (
+            "render ball.toml --method pixel-selected --regions together",
+            "`--regions` belongs to `--method border`",
+        ),
+        ("render ball.toml --method full --block 8", "`--block` belongs to"),
+        ("render ball.toml --method full --history shadower", "`--history` belongs to"),
+    ]);
+}
+
+#[test]
+fn values_out_of_range() {
+    refuses(&[
+        ("render ball.toml -s 64", "WIDTHxHEIGHT"),
+        ("render ball.toml -s 0x64", "WIDTHxHEIGHT"),
+        ("render ball.toml -j 0", "1..=1024"),
+        ("render ball.toml -j 100000", "1..=1024"),
+        ("render ball.toml --samples 2", "possible values: 1, 4, 16, 64"),
+        ("render ball.toml --bits 9", "possible values: 8, 16"),
+        ("render ball.toml --delta -1", "error"),
+        ("render ball.toml --delta nan", "at least 0"),
+        ("render ball.toml --block 129", "1..=128"),
+        ("render ball.toml --layers depth,colour", "surface"),
+        ("render ball.toml --method certified", "border"),
+        ("render ball.toml --pixel 3", "X,Y"),
+        ("compare a.png b.png --max-error x", "at least 0"),
+    ]);
+}
+
+#[test]
+fn outputs_that_make_no_sense() {
+    refuses(&[
+        ("render ball.toml -o a.jpg", "a.jpg: not the name of a picture that can be written"),
+        ("render ball.toml -o a", "expected `.png`, `.ppm` or `.exr`"),
+        ("render ball.toml a.png -o b.png", "cannot be used with"),
+        ("render ball.toml -o - --layers depth", "`--layers`"),
+        ("render ball.toml -o - --stats -", "cannot both go to standard output"),
+        ("render ball.toml -o a.exr --bits 16", "`--bits` belongs to .png and .ppm"),
+        ("render ball.toml -o a.png --stats a.png", "written twice"),
+        ("render ball.toml -o a.png --stats ball.toml", "overwrite the scene"),
+        ("convert ball.toml ball.toml", "overwrite the scene"),
+        ("convert ball.toml ball.nff", "`.toml`"),
+        ("scene balls -o balls.png", "`.toml`"),
+        ("scene teapot", "no scene is named `teapot`"),
+        ("scene balls --size 30", "expected a number from 1 to 6"),
+        ("scene seed-a --size 3", "no size to choose"),
+        ("compare a.png b.png --heat-map h.gif", "h.gif"),
+        ("compare a.png b.png --heat-map a.png", "overwrite"),
+    ]);
+}
+
+#[test]
+fn the_scene_is_not_overwritten_by_another_name_either() {
+    let bench = Bench::new();
+    fs::rename(bench.path("ball.toml"), bench.path("ball.png")).unwrap();
+    let before = bench.read("ball.png");
+    let ended = bench.run("render ball.png -o ./ball.png");
+    assert_eq!(ended.code, Some(2), "{}", ended.errors);
+    assert!(bench.read("ball.png") == before);
+}
+
+#[test]
+fn habits_of_others_get_a_hint() {
+    refuses(&[
+        ("render ball.toml +W800 +H600", "hint: the size is `--size WIDTHxHEIGHT` here"),
+        ("render ball.toml -res 800 600", "hint: the size is `--size WIDTHxHEIGHT` here"),
+        ("render ball.toml -aasamples 12", "hint: samples per pixel are `--samples 1|4|16|64` here"),
+        ("render ball.toml +A0.3", "hint: `--samples 1|4|16|64` smooths edges here"),
+        ("part.stl", "hint: did you mean `brt render part.stl`?"),
+        ("ball.toml -o a.png", "hint: did you mean `brt render ball.toml`?"),
+        ("render ball.toml --tolerance 1", "hint: "),
+        ("", "Usage: brt <COMMAND>"),
+    ]);
+}
