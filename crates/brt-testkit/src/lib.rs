@@ -1,1 +1,22 @@
-//! In preparation.
+//! What the tests of several crates share: random scenes, named scenes, pictures in memory, golden images.
+//!
+//! A dev-dependency only. Everything is a function of its arguments and seeds: a failing test fails again. Scenes
+//! that strategies make have passed [`Scene::check`](brt_scene::Scene::check).
+
+mod golden;
+mod moves;
+mod named;
+mod pictures;
+mod random;
+mod stages;
+mod strategies;
+
+pub use golden::{Golden, GoldenError};
+pub use moves::{scaled, shifted};
+pub use named::{all_shapes, looking, seed_scene};
+pub use pictures::{
+    Difference, Rendered, SameBits, first_difference, render_to_image, render_with_layers, replay_hint,
+};
+pub use random::Random;
+pub use stages::{Stage, stage_colors};
+pub use strategies::{AnyScene, any_border, any_judge, any_material, any_scene, any_shape, seeded};

@@ -1,0 +1,184 @@
+//! Pictures in memory, and where two of them differ.
+
+use std::fmt;
+
+use brt_formats::write_toml;
+use brt_render::{LayerRows, Method, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
+use brt_scene::Scene;
+
+/// A picture with the layers that were asked for; the others are empty.
+#[derive(Clone, Debug, Default)]
+pub struct Rendered {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Linear RGB, row by row.
+    pub colors: Vec<[f32; 3]>,
+    /// The same by full ray tracing, if the settings ask for it.
+    pub full: Vec<[f32; 3]>,
+    /// Surfaces, `u32::MAX` for the background.
+    pub surface: Vec<u32>,
+    /// Depths, infinite for the background.
+    pub depth: Vec<f32>,
+    /// Shading normals.
+    pub normal: Vec<[f32; 3]>,
+    /// Ray histories.
+    pub history: Vec<RayHistory>,
+    /// States.
+    pub state: Vec<SampleState>,
+    /// Counts.
+    pub stats: Stats,
+}
+
+/// Renders a picture of a scene that is fit to be rendered.
+pub fn render_to_image(scene: &Scene, settings: &Settings, run: &Run) -> (Vec<[f32; 3]>, Stats) {
+    let rendered = render_with_layers(scene, settings, run);
+    (rendered.colors, rendered.stats)
+}
+
+/// Renders a picture with its layers.
+///
+/// # Panics
+/// If the renderer fails, or rows come out of order, twice or not at all.
+pub fn render_with_layers(scene: &Scene, settings: &Settings, run: &Run) -> Rendered {
+    let mut parts: Vec<Rows> = Vec::new();
+    let stats = match render(scene, settings, run, &mut parts) {
+        Ok(stats) => stats,
+        Err(error) => panic!("no picture: {error}"),
+    };
+    let mut picture = Rendered { size: settings.size, stats, ..Rendered::default() };
+    let mut next = 0;
+    for rows in parts {
+        assert_eq!(rows.first, next, "rows out of order");
+        assert_eq!(rows.width, settings.size[0]);
+        next += rows.count();
+        picture.colors.extend(&rows.colors);
+        picture.full.extend(rows.full.iter().flatten());
+        rows.layers.iter().for_each(|layer| picture.append(layer));
+    }
+    assert_eq!(next, settings.size[1], "rows are missing");
+    picture
+}
+
+impl Rendered {
+    fn append(&mut self, layer: &LayerRows) {
+        match layer {
+            LayerRows::Surface(rows) => self.surface.extend(rows),
+            LayerRows::Depth(rows) => self.depth.extend(rows),
+            LayerRows::Normal(rows) => self.normal.extend(rows),
+            LayerRows::History(rows) => self.history.extend(rows),
+            LayerRows::State(rows) => self.state.extend(rows),
+        }
+    }
+
+    /// The position of a pixel in the vectors.
+    pub fn index(&self, x: u32, y: u32) -> usize {
+        (y * self.size[0] + x) as usize
+    }
+}
+
+/// The first pixel at which two pictures differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// What should be there.
+    pub expected: String,
+    /// What is there.
+    pub actual: String,
+    /// Number of pixels that differ.
+    pub count: usize,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { pixel: [x, y], expected, actual, count } = self;
+        write!(f, "pixel {x},{y} is {actual}, expected {expected} ({count} pixels differ)")
+    }
+}
+
+/// Values that are the same only if all their bits are.
+pub trait SameBits: fmt::Debug {
+    /// Are all bits the same?
+    fn same_bits(&self, other: &Self) -> bool;
+}
+
+impl SameBits for f32 {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
+}
+
+impl SameBits for [f32; 3] {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.map(f32::to_bits) == other.map(f32::to_bits)
+    }
+}
+
+impl SameBits for u32 {
+    fn same_bits(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl SameBits for RayHistory {
+    fn same_bits(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl SameBits for SampleState {
+    fn same_bits(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// Where two layers or pictures of one size differ first.
+///
+/// # Panics
+/// If they are not of one size.
+pub fn first_difference<T: SameBits>(size: [u32; 2], expected: &[T], actual: &[T]) -> Option<Difference> {
+    assert_eq!(expected.len(), actual.len(), "pictures of two sizes");
+    let mut differing = (0..expected.len()).filter(|&i| !expected[i].same_bits(&actual[i]));
+    let first = differing.next()?;
+    Some(Difference {
+        pixel: [first as u32 % size[0], first as u32 / size[0]],
+        expected: format!("{:?}", expected[first]),
+        actual: format!("{:?}", actual[first]),
+        count: 1 + differing.count(),
+    })
+}
+
+/// How to see a difference again: the command, and the scene if it is not long.
+pub fn replay_hint(scene: &Scene, settings: &Settings, difference: &Difference) -> String {
+    const LONGEST: usize = 20_000;
+    let ([width, height], [x, y]) = (settings.size, difference.pixel);
+    let method = match settings.method {
+        Method::Reference | Method::Full => "full",
+        Method::PixelSelected(_) => "pixel-selected",
+        Method::Border(_) => "border",
+    };
+    let samples = settings.samples.per_pixel();
+    let text = write_toml(scene);
+    let text = if text.len() > LONGEST { "(a long scene)" } else { &text };
+    format!(
+        "{difference}\nreplay: brt render scene.toml --size {width}x{height} --samples {samples} \
+         --method {method} --pixel {x},{y}\nwith {settings:?}\nscene.toml:\n{text}"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_difference_is_found_with_its_pixel_and_number() {
+        let a = [[0.0_f32; 3], [f32::NAN; 3], [1.0; 3], [2.0; 3]];
+        let mut b = a;
+        assert_eq!(first_difference([2, 2], &a, &b), None);
+        (b[2][1], b[3][0]) = (f32::from_bits(1.0_f32.to_bits() + 1), -2.0);
+        let difference = first_difference([2, 2], &a, &b).unwrap();
+        assert_eq!((difference.pixel, difference.count), ([0, 1], 2));
+        // −0 and 0 are two values.
+        assert!(first_difference([1, 1], &[0.0], &[-0.0]).is_some());
+    }
+}

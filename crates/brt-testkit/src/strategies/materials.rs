@@ -1,0 +1,46 @@
+//! Random materials.
+
+use brt_image::{Rgb, rgb};
+use brt_scene::{Axis, Checker, Highlight, Material};
+use proptest::prelude::*;
+
+/// Any material: matte or shiny, chequered or not, mirror or glass; the name is to be set by the caller.
+pub fn any_material() -> impl Strategy<Value = Material> {
+    let factors = (0.0..0.4, 0.0..1.0, prop_oneof![Just(0.0), 0.0..1.0]);
+    let further = prop_oneof![
+        3 => Just((0.0, 0.0, 1.0)),
+        2 => (0.05..0.9).prop_map(|reflection| (reflection, 0.0, 1.0)),
+        2 => (0.0..0.3, 0.3..1.0, prop_oneof![Just(1.0), Just(1.5), 1.0..2.0]),
+    ];
+    (any_color(), checker(), factors, exponent(), any::<bool>(), further, prop::bool::weighted(0.8)).prop_map(
+        |(color, checker, (ambient, diffuse, specular), exponent, is_blinn, further, casts_shadow)| {
+            Material {
+                checker,
+                ambient,
+                diffuse,
+                specular,
+                exponent,
+                highlight: if is_blinn { Highlight::Blinn } else { Highlight::Phong },
+                reflection: further.0,
+                transmission: further.1,
+                index_of_refraction: further.2,
+                casts_shadow,
+                ..Material::matte("", color)
+            }
+        },
+    )
+}
+
+pub(super) fn any_color() -> impl Strategy<Value = Rgb> {
+    prop::array::uniform3(0.0..1.0).prop_map(|[r, g, b]| rgb(r, g, b))
+}
+
+fn exponent() -> impl Strategy<Value = f64> {
+    prop_oneof![(0_u32..200).prop_map(f64::from), 0.0..100.0]
+}
+
+fn checker() -> impl Strategy<Value = Option<Checker>> {
+    let axis = prop::sample::select(vec![Axis::X, Axis::Y, Axis::Z]);
+    let checker = (any_color(), 0.2..2.0, axis).prop_map(|(color, size, axis)| Checker { color, size, axis });
+    prop::option::weighted(0.2, checker)
+}

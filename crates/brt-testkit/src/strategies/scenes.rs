@@ -1,0 +1,140 @@
+//! Random scenes with random views.
+
+use std::fmt;
+
+use brt_formats::write_toml;
+use brt_geometry::{Vec3, vec3};
+use brt_image::rgb;
+use brt_scene::{Camera, Light, Material, MaterialId, Object, Projection, Scene, Shape};
+use proptest::prelude::*;
+
+use super::materials::{any_color, any_material};
+use super::shapes::any_shape;
+use super::{direction, point};
+
+/// A random scene; its debug form is its file.
+#[derive(Clone)]
+pub struct AnyScene(pub Scene);
+
+impl fmt::Debug for AnyScene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("\n")?;
+        f.write_str(&write_toml(&self.0))
+    }
+}
+
+/// Scenes of up to `most_objects` objects that are fit to be rendered.
+pub fn any_scene(most_objects: usize) -> impl Strategy<Value = AnyScene> {
+    let objects = prop::collection::vec((any_shape(), 0_u32..4), 0..=most_objects);
+    let materials = prop::collection::vec(any_material(), 4);
+    let lights = prop::collection::vec(any_light(), 0..4);
+    (objects, materials, lights, any_view(), any_color(), 0_u32..5)
+        .prop_map(|(objects, materials, lights, view, background, max_depth)| {
+            let objects = objects
+                .into_iter()
+                .map(|(shape, material)| Object { name: None, shape, material: MaterialId(material) })
+                .collect();
+            let mut scene = Scene {
+                background,
+                max_depth,
+                lights,
+                objects,
+                materials: materials.into_iter().zip(0..).map(named).collect(),
+                ..Scene::new(view.camera)
+            };
+            view.place.apply_to(&mut scene);
+            AnyScene(scene)
+        })
+        .prop_filter("fit to be rendered", |scene| scene.0.check().is_empty())
+}
+
+fn named((material, number): (Material, u32)) -> Material {
+    Material { name: format!("m{number}"), ..material }
+}
+
+fn any_light() -> impl Strategy<Value = Light> {
+    prop_oneof![
+        3 => (point(8.0), any_color()).prop_map(|(position, color)| Light::Point { position, color }),
+        1 => (direction(), any_color()).prop_map(|(direction, color)| Light::Directional { direction, color }),
+    ]
+}
+
+/// Where the eye is.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    /// Somewhere, often far enough away to see everything.
+    Anywhere,
+    /// In the middle of a glass ball.
+    InGlass,
+    /// Exactly on an object, or as exactly as its numbers allow.
+    OnObject(usize),
+    /// So close that an object fills the picture.
+    BeforeObject(usize),
+}
+
+#[derive(Clone, Debug)]
+struct View {
+    camera: Camera,
+    place: Place,
+}
+
+fn any_view() -> impl Strategy<Value = View> {
+    let projection = prop_oneof![
+        3 => (5.0..150.0).prop_map(|fov_deg| Projection::Perspective { fov_deg }),
+        1 => (0.5..12.0).prop_map(|extent| Projection::Orthographic { extent }),
+    ];
+    let place = prop_oneof![
+        6 => Just(Place::Anywhere),
+        1 => Just(Place::InGlass),
+        1 => (0_usize..4).prop_map(Place::OnObject),
+        1 => (0_usize..4).prop_map(Place::BeforeObject),
+    ];
+    (point(7.0), point(1.5), direction(), projection, place).prop_map(
+        |(eye, look_at, up, projection, place)| View {
+            camera: Camera { eye, look_at, up, projection },
+            place,
+        },
+    )
+}
+
+impl Place {
+    fn apply_to(self, scene: &mut Scene) {
+        let eye = scene.camera.eye;
+        match self {
+            Self::Anywhere => {}
+            Self::InGlass => {
+                let glass = Material {
+                    transmission: 0.8,
+                    index_of_refraction: 1.5,
+                    casts_shadow: false,
+                    ..Material::matte("glass", rgb(0.1, 0.1, 0.1))
+                };
+                let glass = scene.add_material(glass);
+                scene.add(Shape::Sphere { center: eye, radius: 0.75 }, glass);
+            }
+            Self::OnObject(index) => {
+                if let Some(object) = scene.objects.get(index) {
+                    scene.camera.eye = point_on(&object.shape);
+                }
+            }
+            Self::BeforeObject(index) => {
+                if let Some(object) = scene.objects.get(index) {
+                    let on = point_on(&object.shape);
+                    scene.camera.eye = on + vec3(0.01, 0.02, 0.03);
+                    scene.camera.look_at = on;
+                }
+            }
+        }
+    }
+}
+
+fn point_on(shape: &Shape) -> Vec3 {
+    match shape {
+        Shape::Sphere { center, radius } => *center + vec3(*radius, 0.0, 0.0),
+        Shape::Plane { normal, distance } => *normal * (*distance / normal.length_squared()),
+        Shape::Polygon { outline, .. } => (outline[0] + outline[1]) * 0.5,
+        Shape::Disc { center, .. } => *center,
+        Shape::Cylinder { base, .. } | Shape::Cone { base, .. } => *base,
+        Shape::Mesh(mesh) => mesh.positions[0],
+    }
+}
