@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::formats::ParseError;
+use brt::formats::{LimitExceeded, LimitKind, ParseError};
 use brt::{Format, Limits, LoadError, Report, Scene, library, load, parse};
 use clap::Args;
 
@@ -17,19 +17,20 @@ pub(crate) struct LimitOptions {
     /// Refuse scenes of more primitives
     #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_OBJECTS)]
     max_objects: u64,
-    /// Refuse larger scene files
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_BYTES)]
-    max_bytes: u64,
+    /// Refuse larger scene files [default: 1073741824]
+    #[arg(long, value_name = "N")]
+    max_bytes: Option<u64>,
 }
 
 impl LimitOptions {
-    /// The limits, with those that have no option of their own raised along.
+    /// The limits, with those that have no option of their own raised along: a file has fewer words than bytes, and a
+    /// triangle has three points.
     pub(crate) fn limits(self, max_pixels: u64) -> Limits {
         let Self { max_objects, max_bytes } = self;
         let defaults = Limits::default();
         Limits {
-            bytes: max_bytes,
-            words: if max_bytes > defaults.bytes { max_bytes } else { defaults.words },
+            bytes: max_bytes.unwrap_or(defaults.bytes),
+            words: max_bytes.map_or(defaults.words, |bytes| bytes.max(defaults.words)),
             objects: max_objects,
             points: defaults.points.max(max_objects.saturating_mul(3)),
             max_picture_pixels: max_pixels,
@@ -80,7 +81,13 @@ fn read_stdin(limits: &Limits) -> Result<SceneInput, Failure> {
     match parse(Format::Toml, &bytes, limits) {
         Ok((scene, report)) => Ok(SceneInput { scene, report, text: text_of(bytes), name }),
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
-        Err(error) => Err(anyhow::anyhow!("{name}: {error}").into()),
+        Err(error) => {
+            let hint = match &error {
+                ParseError::LimitExceeded(exceeded) => Some(limit_hint(exceeded)),
+                _ => None,
+            };
+            Err(Failure::CouldNot { error: anyhow::anyhow!("{name}: {error}"), hint })
+        }
     }
 }
 
@@ -96,10 +103,25 @@ fn malformed(report: &Report, name: &str, text: &str) -> Failure {
 
 /// Knows those who type `brt render seed-a`.
 fn cannot_load(path: &Path, error: LoadError) -> Failure {
-    let missing = matches!(&error, LoadError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound);
-    let name = path.to_str().filter(|name| missing && library::find(name).is_some());
-    let hint = name.map(|name| format!("`brt scene {name} -o {name}.toml` writes our scene of that name"));
+    let hint = match &error {
+        LoadError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound => {
+            let name = path.to_str().filter(|name| library::find(name).is_some());
+            name.map(|name| format!("`brt scene {name} -o {name}.toml` writes our scene of that name"))
+        }
+        LoadError::LimitExceeded { exceeded, .. } => Some(limit_hint(exceeded)),
+        _ => None,
+    };
     Failure::CouldNot { error: error.into(), hint }
+}
+
+/// Which option raises a limit.
+fn limit_hint(exceeded: &LimitExceeded) -> String {
+    let option = match exceeded.what {
+        LimitKind::Bytes | LimitKind::Words => "--max-bytes",
+        LimitKind::Objects | LimitKind::Points => "--max-objects",
+        LimitKind::PicturePixels => "--max-pixels",
+    };
+    format!("`{option} N` allows more")
 }
 
 /// Refuses to write a file over the scene it is made of, or two files to one place.

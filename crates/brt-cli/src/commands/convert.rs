@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use brt::{Format, Limits, write_toml};
+use brt::{Format, write_toml};
 use clap::Args;
 
-use crate::commands::text_file;
+use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::scene_input::{self, LimitOptions, check_distinct, is_dash};
 
@@ -28,9 +28,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let Options { input, output, limits } = options;
     check_toml_name(output)?;
     check_distinct(input, std::slice::from_ref(output))?;
-    let input = scene_input::read(input, &limits.limits(Limits::DEFAULT_PICTURE_PIXELS))?;
+    let input = scene_input::read(input, &limits.limits(u64::MAX))?;
     input.show_warnings();
-    text_file::write(output, &write_toml(&input.scene))?;
+    TextFile::open(output)?.write(&write_toml(&input.scene))?;
     Ok(Outcome::Done)
 }
 

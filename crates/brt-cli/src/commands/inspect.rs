@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use brt::{Camera, Diagnostic, Light, Limits, Projection, Scene, Vec3, prepare};
+use brt::{Camera, Diagnostic, Light, Projection, Scene, Vec3, prepare};
 use clap::Args;
 use serde::Serialize;
 
@@ -68,7 +68,7 @@ enum ProjectionJson {
 
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let limits = options.limits.limits(Limits::DEFAULT_PICTURE_PIXELS);
+    let limits = options.limits.limits(u64::MAX);
     let input = scene_input::read(&options.scene, &limits)?;
     let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
     if options.json {

@@ -6,7 +6,7 @@ use brt::{library, write_toml};
 use clap::Args;
 
 use super::convert::check_toml_name;
-use crate::commands::text_file;
+use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
 
@@ -34,7 +34,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let scene = library::find(name).ok_or_else(unknown)?;
     check_toml_name(&options.output)?;
     let built = scene.build(options.size).map_err(|error| wrong_use(error.to_string()))?;
-    text_file::write(&options.output, &write_toml(&built))?;
+    TextFile::open(&options.output)?.write(&write_toml(&built))?;
     Ok(Outcome::Done)
 }
 

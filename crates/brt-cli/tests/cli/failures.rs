@@ -12,6 +12,7 @@ fn files_that_are_not_there_or_not_scenes() {
         ("render missing.toml", "missing.toml"),
         ("render part.stl", "part.stl"),
         ("render ball.toml -s 8x8 -o no/such/folder.png", "folder.png"),
+        ("render ball.toml -s 8x8 --stats no/such/folder.json", "folder.json"),
         ("inspect missing.toml", "missing.toml"),
         ("convert missing.nff a.toml", "missing.nff"),
         ("compare missing.png ball.toml", "missing.png"),
@@ -59,8 +60,8 @@ fn limits_are_refused_before_anything_is_rendered() {
         ("render ball.toml -s 100x100 --max-pixels 9999", "--max-pixels"),
         ("render ball.toml -s 4000000000x4000000000", "--max-pixels"),
         ("render ball.toml -s 20000000x1", "side"),
-        ("render ball.toml --max-objects 1", "1 primitives"),
-        ("render ball.toml --max-bytes 10", "10 bytes"),
+        ("render ball.toml --max-objects 1", "hint: `--max-objects N` allows more"),
+        ("render ball.toml --max-bytes 10", "hint: `--max-bytes N` allows more"),
     ] {
         let ended = bench.run(arguments);
         assert_eq!(ended.code, Some(1), "{arguments}: {}", ended.errors);

@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_to_files};
 
+use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome};
 use crate::progress::Bar;
 use crate::{interrupt, output, scene_input};
@@ -39,10 +40,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
         return pixel::show(options, &scene, settings, pixel);
     }
 
+    let stats_file = targets.stats.as_deref().map(TextFile::open).transpose()?;
     let rendered = render(options, &targets, &scene, &settings)?;
     let total = begin.elapsed().as_secs_f64();
     let seconds = Seconds::new(load, total, &rendered);
-    if let Some(file) = &targets.stats {
+    if let Some(file) = stats_file {
         stats_file::write(file, &settings, options.thread_count(), &rendered, &seconds)?;
     }
     summary::show(options, &targets, &settings, &rendered, total);

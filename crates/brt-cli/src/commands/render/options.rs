@@ -51,7 +51,7 @@ pub(crate) struct Options {
     /// Write counts and times as JSON; `-` for standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) stats: Option<PathBuf>,
-    /// Compare every pixel with full ray tracing, before quantisation
+    /// Compare every pixel with full ray tracing, before quantisation; its time counts as `render`, its rays do not
     #[arg(long)]
     pub(crate) verify: bool,
     /// Verify, and exit with 3 if an error is greater than this, in levels of 255

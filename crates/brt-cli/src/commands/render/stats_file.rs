@@ -1,11 +1,9 @@
 //! The file of `--stats`. Its keys are a promise.
 
-use std::path::Path;
-
 use brt::{Method, Rendered, Settings, Stats};
 use serde::Serialize;
 
-use crate::commands::text_file;
+use crate::commands::text_file::TextFile;
 use crate::exit::Failure;
 use crate::json;
 
@@ -73,7 +71,7 @@ struct Blocks {
 
 /// Writes the file.
 pub(super) fn write(
-    path: &Path,
+    file: TextFile,
     settings: &Settings,
     threads: usize,
     rendered: &Rendered,
@@ -103,7 +101,7 @@ pub(super) fn write(
         nodes_visited,
         blocks: Blocks { judged: blocks.judged, filled: blocks.filled, divided: blocks.divided },
     };
-    text_file::write(path, &(json::text(&json)? + "\n"))
+    file.write(&(json::text(&json)? + "\n"))
 }
 
 fn method_name(method: &Method) -> &'static str {
