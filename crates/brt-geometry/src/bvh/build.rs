@@ -41,8 +41,8 @@ impl Bvh {
                 let node = &binary.nodes[below as usize];
                 let bounds = node.aabb();
                 for axis in 0..3 {
-                    self.nodes[target].planes[0][axis][slot] = bounds.min[axis];
-                    self.nodes[target].planes[1][axis][slot] = bounds.max[axis];
+                    self.nodes[target].planes[0][axis].as_mut_array()[slot] = bounds.min[axis];
+                    self.nodes[target].planes[1][axis].as_mut_array()[slot] = bounds.max[axis];
                 }
                 self.nodes[target].child[slot] = if node.is_leaf() {
                     Child { first: node.first_index, count: node.prim_count }

@@ -9,6 +9,8 @@ mod traverse;
 
 pub use traverse::Traversal;
 
+use wide::f32x4;
+
 use crate::Vec3;
 
 /// A bounding volume hierarchy over boxes with indices.
@@ -26,7 +28,7 @@ pub struct Bvh {
 #[repr(C, align(64))]
 struct Node {
     /// Lower and upper planes of the children's boxes: `planes[side][axis][child]`.
-    planes: [[[f32; 4]; 3]; 2],
+    planes: [[f32x4; 3]; 2],
     child: [Child; 4],
 }
 
@@ -39,7 +41,7 @@ struct Child {
 
 impl Node {
     const EMPTY: Self = Self {
-        planes: [[[f32::INFINITY; 4]; 3], [[f32::NEG_INFINITY; 4]; 3]],
+        planes: [[f32x4::splat(f32::INFINITY); 3], [f32x4::splat(f32::NEG_INFINITY); 3]],
         child: [Child { first: 0, count: 0 }; 4],
     };
 }

@@ -1,8 +1,9 @@
 //! Walking the tree along a ray.
 //!
 //! A node's slabs are tested in `f32`, four children at once. The ray's origin is rounded both ways and distances are
-//! widened by [`SLACK`], so that no box is left out that the exact ray touches. Written as loops over four lanes,
-//! which the compiler turns into vector instructions on every CPU.
+//! widened by [`SLACK`], so that no box is left out that the exact ray touches.
+
+use wide::f32x4;
 
 use super::{Bvh, Child, Node};
 use crate::{Ray, Vec3};
@@ -108,8 +109,9 @@ impl RoundedRay {
             rounded.near_side[axis] = usize::from(backward);
             rounded.origin_near[axis] = if backward { down } else { up };
             rounded.origin_far[axis] = if backward { up } else { down };
-            // Not scale / d: for -0.0 that would be -∞ with the planes of a forward ray.
-            let inverse = 1.0 / ((d[axis].abs() * inverse_scale) as f32);
+            // Never infinite, for 0·∞ is NaN. A ray along a slab is so taken as almost along it; the boxes' margin is
+            // far more than what it drifts.
+            let inverse = 1.0 / ((d[axis].abs() * inverse_scale) as f32).max(f32::MIN_POSITIVE);
             rounded.inverse[axis] = if backward { -inverse } else { inverse };
         }
         rounded
@@ -124,28 +126,24 @@ impl RoundedRay {
     /// Puts the children that are touched before `limit` on the stack, the nearest last.
     #[inline(always)]
     fn push_children(&self, node: &Node, limit: f32, stack: &mut Vec<(Child, f32)>) {
-        let mut near = [0.0_f32; 4];
-        let mut far = [limit; 4];
+        let (mut near, mut far) = (f32x4::ZERO, f32x4::splat(limit));
         for axis in 0..3 {
             let side = self.near_side[axis];
-            let (enter, leave) = (&node.planes[side][axis], &node.planes[1 - side][axis]);
-            for lane in 0..4 {
-                let e = (enter[lane] - self.origin_near[axis]) * self.inverse[axis] * (1.0 - SLACK);
-                let l = (leave[lane] - self.origin_far[axis]) * self.inverse[axis] * (1.0 + SLACK);
-                // Written so that NaN (0·∞: the ray lies in the slab's plane) bounds nothing.
-                near[lane] = if e > near[lane] { e } else { near[lane] };
-                far[lane] = if l < far[lane] { l } else { far[lane] };
-            }
+            let inverse = f32x4::splat(self.inverse[axis]);
+            let enter = node.planes[side][axis] - f32x4::splat(self.origin_near[axis]);
+            let leave = node.planes[1 - side][axis] - f32x4::splat(self.origin_far[axis]);
+            near = (enter * inverse * f32x4::splat(1.0 - SLACK)).fast_max(near);
+            far = (leave * inverse * f32x4::splat(1.0 + SLACK)).fast_min(far);
         }
+        let touched = near.simd_le(far).to_bitmask();
+        let near = near.to_array();
         let start = stack.len();
-        for lane in 0..4 {
-            if near[lane] <= far[lane] {
-                let mut at = stack.len();
-                stack.push((node.child[lane], near[lane]));
-                while at > start && stack[at - 1].1 < near[lane] {
-                    stack.swap(at - 1, at);
-                    at -= 1;
-                }
+        for lane in (0..4).filter(|lane| touched >> lane & 1 == 1) {
+            let mut at = stack.len();
+            stack.push((node.child[lane], near[lane]));
+            while at > start && stack[at - 1].1 < near[lane] {
+                stack.swap(at - 1, at);
+                at -= 1;
             }
         }
     }
