@@ -8,6 +8,7 @@ mod bridges;
 mod fittings;
 mod metals;
 mod outline;
+mod rounding;
 mod table;
 mod train;
 mod wheel;
@@ -38,7 +39,7 @@ pub(super) fn build(segments: u32) -> Scene {
     workshop.crown();
     workshop.loose_parts();
     workshop.loupe(-62.0, 4.0);
-    workshop.scene
+    rounding::rounded(workshop.scene)
 }
 
 /// Camera and lights: a warm key from the left, a cool one from the right, a lamp at the backdrop.
