@@ -68,8 +68,8 @@ const HEAT: [[f64; 3]; 6] = [
     [252.0, 253.0, 191.0],
 ];
 
-/// Linear RGB of a difference in levels.
-fn heat_color(levels: f64) -> [f32; 3] {
+/// Linear RGB that a heat map shows for a difference in levels: black for none, lighter for more.
+pub fn heat_color(levels: f64) -> [f32; 3] {
     let position =
         if levels <= 1.0 { 0.3 * levels } else { 0.3 + 0.7 * libm::log2(levels) / libm::log2(255.0) };
     let at = position.min(1.0) * (HEAT.len() - 1) as f64;

@@ -1,10 +1,9 @@
 //! Layers as colours for picture files, and as values for EXR.
 
-use brt_image::{Encoding, id_color};
+use brt_image::{Encoding, heat_color, id_color};
 use brt_render::{LayerRows, RayHistory, Rows, SampleState};
 use brt_scene::Scene;
 
-use crate::heat::heat_color;
 use crate::layers::PictureLayer;
 use crate::measure::error_levels;
 

@@ -45,7 +45,6 @@
 //! The crates behind it are open as [`geometry`], [`image`], [`scene`], [`formats`] and [`rendering`].
 
 mod files;
-mod heat;
 mod layer_paint;
 mod layers;
 pub mod library;
