@@ -4,10 +4,11 @@ use brt_render::{BorderSettings, DeviationDelta, DifferenceDelta, Judge, Regions
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// A run of `cases` cases that are the same every time.
+/// A run of `cases` cases that are the same every time; `BRT_SOAK=n` in the environment makes them n times as many.
 pub fn seeded(seed: u64, cases: u32) -> ProptestConfig {
+    let soak = std::env::var("BRT_SOAK").ok().and_then(|n| n.parse().ok()).unwrap_or(1);
     ProptestConfig {
-        cases,
+        cases: cases.saturating_mul(soak),
         rng_seed: RngSeed::Fixed(seed),
         failure_persistence: None,
         max_shrink_iters: 300,

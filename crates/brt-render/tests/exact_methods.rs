@@ -1,0 +1,122 @@
+//! Methods that trace every sample give the same bits, whatever saves their work.
+
+use brt_geometry::{Vec3, vec3};
+use brt_render::{
+    Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, HistoryKind, Judge, Layer, Method, Regions,
+    Run, Settings, VarianceDelta,
+};
+use brt_scene::Scene;
+use brt_testkit::{
+    AnyScene, Rendered, all_shapes, any_scene, first_difference, render_with_layers, replay_hint, scaled,
+    seed_scene, seeded, shifted,
+};
+use proptest::prelude::*;
+
+/// Border ray tracing that fills nothing: blocks without samples between their corners. Paper: P4 (3).
+fn border_of_single_samples(judge: Judge, regions: Regions) -> Method {
+    Method::Border(BorderSettings { block: 1, judge, regions })
+}
+
+const JUDGES: [Judge; 3] = [
+    Judge::Variance(VarianceDelta(0.0)),
+    Judge::Deviation(DeviationDelta(0.0)),
+    Judge::Difference(DifferenceDelta(0.0)),
+];
+
+fn rendered(scene: &Scene, settings: &Settings) -> Rendered {
+    render_with_layers(scene, settings, &Run { threads: 1, ..Run::default() })
+}
+
+/// Where a method's colours or ray histories are not those of `full`.
+fn difference_to(full: &Rendered, scene: &Scene, settings: &Settings) -> Option<String> {
+    let test = rendered(scene, settings);
+    let colors = first_difference(settings.size, &full.colors, &test.colors);
+    let histories = match settings.method {
+        Method::Reference => None,
+        _ => first_difference(settings.size, &full.history, &test.history),
+    };
+    colors.or(histories).map(|difference| replay_hint(scene, settings, &difference))
+}
+
+/// All ways to trace every sample, each compared with `full`.
+fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<String> {
+    let settings = Settings { layers: vec![Layer::History], history, ..Settings::new(size) };
+    let full = rendered(scene, &settings);
+    let with = |method: Method, accelerator| Settings { method, accelerator, ..settings.clone() };
+    let mut ways = vec![with(Method::Reference, Accelerator::Bvh), with(Method::Full, Accelerator::None)];
+    for (judge, regions) in JUDGES.into_iter().zip([Regions::Separate, Regions::Together, Regions::Separate])
+    {
+        ways.push(with(border_of_single_samples(judge, regions), Accelerator::Bvh));
+    }
+    ways.iter().filter_map(|way| difference_to(&full, scene, way)).collect()
+}
+
+fn assert_same(scene: &Scene, size: [u32; 2]) {
+    let differences = differences(scene, size, HistoryKind::Shadower);
+    assert!(differences.is_empty(), "{}", differences[0]);
+}
+
+proptest! {
+    #![proptest_config(seeded(1987, 250))]
+
+    #[test]
+    fn all_ways_to_trace_every_sample_agree_bit_for_bit(
+        AnyScene(scene) in any_scene(8),
+        width in 1_u32..44,
+        height in 1_u32..36,
+        shadower in any::<bool>(),
+    ) {
+        let history = if shadower { HistoryKind::Shadower } else { HistoryKind::Lit };
+        let differences = differences(&scene, [width, height], history);
+        prop_assert!(differences.is_empty(), "{}", differences[0]);
+    }
+}
+
+proptest! {
+    #![proptest_config(seeded(6, 60))]
+
+    #[test]
+    fn they_agree_a_million_times_larger_smaller_and_farther_away(
+        AnyScene(scene) in any_scene(6),
+        shift in prop::sample::select(vec![vec3(1e6, 0.0, 0.0), vec3(-1e6, 1e6, 1e6)]),
+    ) {
+        for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, shift)] {
+            prop_assume!(moved.check().is_empty());
+            let differences = differences(&moved, [24, 18], HistoryKind::Lit);
+            prop_assert!(differences.is_empty(), "{}", differences[0]);
+        }
+    }
+}
+
+#[test]
+fn they_agree_on_the_seed_scenes_and_on_all_shapes() {
+    for scene in [seed_scene("a"), seed_scene("b"), seed_scene("c"), all_shapes()] {
+        assert_same(&scene, [150, 133]);
+    }
+}
+
+#[test]
+fn they_agree_on_the_seed_scenes_scaled_and_shifted() {
+    for scene in ["a", "b", "c"].map(seed_scene) {
+        for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, Vec3::splat(1e6))] {
+            assert_same(&moved, [64, 48]);
+        }
+    }
+}
+
+#[test]
+fn they_agree_on_one_pixel_and_on_one_column() {
+    let scene = all_shapes();
+    assert_same(&scene, [1, 1]);
+    assert_same(&scene, [1, 777]);
+    assert_same(&scene, [777, 1]);
+}
+
+#[test]
+fn they_agree_on_a_scene_without_anything() {
+    let mut scene = all_shapes();
+    scene.objects.clear();
+    assert_same(&scene, [30, 20]);
+    scene.lights.clear();
+    assert_same(&scene, [3, 2]);
+}
