@@ -1,0 +1,3 @@
+//! The laboratory: experiments that measure, and write what they found as tables and pages.
+
+pub mod peers;

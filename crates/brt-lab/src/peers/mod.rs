@@ -1,0 +1,1 @@
+//! The same scenes through other ray tracers, side by side with ours.
