@@ -1,0 +1,215 @@
+//! A walk through the tree visits everything that a ray touches.
+
+use brt_geometry::{Aabb, Bvh, FARTHEST, Primitive, Ray, Sphere, Start, Traversal, Triangle, Vec3, vec3};
+use brt_testkit::Random;
+
+/// Items visited by walks of both kinds that never stop early.
+fn visited(tree: &Bvh, ray: &Ray, t_max: f64) -> Vec<u32> {
+    let mut walk = Traversal::default();
+    let (mut closest, mut any) = (Vec::new(), Vec::new());
+    tree.closest(ray, t_max, &mut walk, |item| {
+        closest.push(item);
+        t_max
+    });
+    let stopped = tree.any(ray, t_max, &mut walk, |item| {
+        any.push(item);
+        false
+    });
+    assert!(!stopped);
+    closest.sort_unstable();
+    any.sort_unstable();
+    assert_eq!(closest, any, "both walks visit the same");
+    assert!(any.windows(2).all(|pair| pair[0] < pair[1]), "nothing is visited twice");
+    any
+}
+
+fn random_box(random: &mut Random, size: f64) -> Aabb {
+    let (a, mut b) = (random.point(1.0), random.point(1.0));
+    if random.one_in(3) {
+        b = a + (b - a) * random.magnitude(-6.0, 0.0);
+    }
+    // Flat boxes and boxes that are points.
+    (0..3).filter(|_| random.one_in(5)).collect::<Vec<_>>().into_iter().for_each(|axis| b[axis] = a[axis]);
+    Aabb::of_points(&[a * size, b * size])
+}
+
+/// A point of a box, often on its faces, edges and corners.
+fn point_in(random: &mut Random, bounds: &Aabb) -> Vec3 {
+    let mut point = bounds.lo;
+    for axis in 0..3 {
+        let share = if random.one_in(2) { f64::from(random.below(2)) } else { random.unit() };
+        point[axis] = (bounds.lo[axis] + (bounds.hi[axis] - bounds.lo[axis]) * share).min(bounds.hi[axis]);
+    }
+    point
+}
+
+/// A ray through a point: from anywhere, along an axis, in a plane along two axes, or starting there.
+fn ray_through(random: &mut Random, point: Vec3, size: f64) -> (Ray, f64) {
+    let mut origin = random.point(3.0) * size;
+    (0..random.below(4)).for_each(|_| {
+        let axis = random.below(3) as usize;
+        origin[axis] = point[axis];
+    });
+    let direction = point - origin;
+    // Subtracting may round; the point that the ray meets is off by less than any margin.
+    if direction.length() == 0.0 {
+        return (Ray::new(point, random.direction() * random.magnitude(-20.0, 20.0)), 0.0);
+    }
+    let length = if random.one_in(2) { random.magnitude(-20.0, 20.0) } else { 1.0 };
+    let mut scaled = direction * length;
+    (0..3).for_each(|axis| {
+        if scaled[axis] == 0.0 {
+            scaled[axis] = random.zero();
+        }
+    });
+    (Ray::new(origin, scaled), 1.0 / length)
+}
+
+fn check_boxes(random: &mut Random, count: u32, size: f64, offset: Vec3) {
+    let boxes: Vec<(u32, Aabb)> = (0..count)
+        .map(|i| {
+            let b = random_box(random, size);
+            (7 * i, Aabb { lo: b.lo + offset, hi: b.hi + offset })
+        })
+        .collect();
+    let tree = Bvh::build(&boxes);
+    for _ in 0..60 {
+        let (item, bounds) = boxes[random.below(count) as usize];
+        let target = point_in(random, &bounds);
+        let (local, t) = ray_through(random, target - offset, size);
+        let ray = Ray::new(local.origin + offset, local.direction);
+        for t_max in [f64::INFINITY, FARTHEST, t * (1.0 + 1e-9) + f64::MIN_POSITIVE] {
+            let seen = visited(&tree, &ray, t_max);
+            assert!(seen.contains(&item), "{bounds:?} is missed by {ray:?} up to {t_max}");
+        }
+    }
+}
+
+#[test]
+fn every_box_that_a_ray_touches_is_visited() {
+    let mut random = Random::new(11);
+    for case in 0..400 {
+        let count = [1, 2, 3, 5, 20, 200][case % 6];
+        let size = random.pick(&[1.0, 1.0, 1e6, 1e-6, 1e20, 1e-20]);
+        check_boxes(&mut random, count, size, Vec3::ZERO);
+    }
+}
+
+#[test]
+fn nothing_is_missed_a_million_units_from_the_origin() {
+    let mut random = Random::new(12);
+    for _ in 0..100 {
+        check_boxes(&mut random, 60, 1.0, vec3(1e6, -1e6, 1e6));
+    }
+}
+
+#[test]
+fn rays_from_the_faces_of_a_box_and_along_them_touch_it() {
+    let bounds = Aabb { lo: vec3(-1.0, -2.0, -3.0), hi: vec3(1.0, 2.0, 3.0) };
+    let tree = Bvh::build(&[(5, bounds)]);
+    for corner in bounds.corners() {
+        for axis in 0..3 {
+            for (sign, zero) in [(1.0, 0.0), (1.0, -0.0), (-1.0, 0.0), (-1.0, -0.0)] {
+                let mut direction = Vec3::splat(zero);
+                direction[axis] = sign;
+                assert_eq!(
+                    visited(&tree, &Ray::new(corner, direction), f64::INFINITY),
+                    [5],
+                    "{corner:?} {direction:?}"
+                );
+                let away = Ray::new(corner - direction * 10.0, direction);
+                assert_eq!(visited(&tree, &away, f64::INFINITY), [5]);
+                let miss = Ray::new(corner * 1.001 - direction * 10.0, direction);
+                assert_eq!(visited(&tree, &miss, f64::INFINITY), [], "{corner:?} {direction:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tree_of_no_box_visits_nothing_and_one_of_a_speck_its_speck() {
+    let ray = Ray::new(Vec3::ZERO, vec3(0.0, 0.0, 1.0));
+    assert_eq!(visited(&Bvh::build(&[]), &ray, f64::INFINITY), []);
+    // A point alone has no size that margins could be a share of; no primitive has such a box.
+    let speck = Aabb::around(vec3(0.0, 0.0, 4.0), Vec3::splat(1e-20));
+    assert_eq!(visited(&Bvh::build(&[(3, speck)]), &ray, f64::INFINITY), [3]);
+    assert_eq!(visited(&Bvh::build(&[(3, speck)]), &ray, 3.9), []);
+}
+
+#[test]
+fn thousands_of_boxes_in_one_place_are_all_visited() {
+    let bounds = Aabb { lo: Vec3::splat(-1.0), hi: Vec3::splat(1.0) };
+    for count in [2, 5, 4096, 5000] {
+        let boxes: Vec<(u32, Aabb)> = (0..count).map(|i| (i, bounds)).collect();
+        let ray = Ray::new(vec3(0.3, 0.2, 5.0), vec3(0.0, 0.0, -1.0));
+        assert_eq!(visited(&Bvh::build(&boxes), &ray, f64::INFINITY), (0..count).collect::<Vec<u32>>());
+    }
+}
+
+fn random_primitive(random: &mut Random, size: f64, offset: Vec3) -> Primitive {
+    let center = random.point(1.0) * size + offset;
+    if random.one_in(2) {
+        return Primitive::Sphere(Sphere { center, radius: size * random.magnitude(-4.0, -0.5) });
+    }
+    loop {
+        let corners = [center, center + random.point(0.4) * size, center + random.point(0.4) * size];
+        if let Some(triangle) = Triangle::new(corners) {
+            return Primitive::Triangle(triangle);
+        }
+    }
+}
+
+/// Nearest hit by testing everything, or what a walk leaves to be tested; and number of tests.
+fn nearest(primitives: &[Primitive], ray: &Ray, tree: Option<&Bvh>, walk: &mut Traversal) -> (f64, u64) {
+    let (mut best, mut tests) = (f64::INFINITY, 0);
+    let mut test = |item: u32| {
+        tests += 1;
+        let hit = primitives[item as usize].first_hit(ray, Start::Elsewhere);
+        if hit.found && hit.t < best {
+            best = hit.t;
+        }
+        best
+    };
+    match tree {
+        Some(tree) => tree.closest(ray, f64::INFINITY, walk, test),
+        None => (0..primitives.len() as u32).for_each(|item| {
+            test(item);
+        }),
+    }
+    (best, tests)
+}
+
+#[test]
+fn the_closest_hit_is_that_of_brute_force_with_far_fewer_tests() {
+    let mut random = Random::new(13);
+    for (size, offset) in [(1.0, 0.0), (1e6, 0.0), (1e-6, 0.0), (1.0, 1e6), (1e3, -1e6)] {
+        let offset = vec3(offset, 0.5 * offset, -offset);
+        let primitives: Vec<Primitive> =
+            (0..1000).map(|_| random_primitive(&mut random, size, offset)).collect();
+        let boxes: Vec<(u32, Aabb)> =
+            (0..).zip(&primitives).filter_map(|(i, p)| Some((i, p.bounds()?))).collect();
+        let tree = Bvh::build(&boxes);
+        let mut walk = Traversal::default();
+        let (mut hits, mut tests, rays) = (0, 0, 2000);
+        for _ in 0..rays {
+            let origin = random.point(2.0) * size + offset;
+            let direction = random.direction() * random.magnitude(-20.0, 20.0);
+            let ray = Ray::new(origin, direction);
+            let (by_tree, tested) = nearest(&primitives, &ray, Some(&tree), &mut walk);
+            let (by_force, _) = nearest(&primitives, &ray, None, &mut walk);
+            assert_eq!(by_tree.to_bits(), by_force.to_bits(), "{ray:?}");
+            let any = |t_max: f64, walk: &mut Traversal| {
+                tree.any(&ray, t_max, walk, |item| {
+                    let hit = primitives[item as usize].first_hit(&ray, Start::Elsewhere);
+                    hit.found && hit.t < t_max
+                })
+            };
+            assert_eq!(any(f64::INFINITY, &mut walk), by_force.is_finite());
+            assert!(!any(by_force, &mut walk), "nothing is nearer than the nearest");
+            hits += u32::from(by_force.is_finite());
+            tests += tested;
+        }
+        assert!(hits > rays / 5, "{hits} hits");
+        assert!(tests < u64::from(rays) * 60, "{tests} tests by the tree");
+    }
+}
