@@ -31,10 +31,10 @@ fn count_differences(name: &str, size: u32) -> Result<u64> {
     let depths = layer(&rows, 1, |l| if let LayerRows::Depth(v) = l { Some(v) } else { None });
 
     let camera = PreparedCamera::new(&scene.camera, &SampleGrid::new([size, size], Samples::One));
-    let prepared = prepare(&scene);
+    let prepared = prepare(&scene, Accelerator::Bvh);
     let differs = |i: &u32| {
         let ray = camera.ray(f64::from(i % size), f64::from(i / size));
-        let seen = prepared.first_seen(&ray, Accelerator::Bvh);
+        let seen = prepared.first_seen(&ray);
         let expected = seen.map_or((u32::MAX, f32::INFINITY), |s| (s.surface, s.depth as f32));
         expected != (surfaces[*i as usize], depths[*i as usize])
     };

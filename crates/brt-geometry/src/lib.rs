@@ -7,6 +7,9 @@
 
 mod aabb;
 mod bvh;
+mod extents;
+mod grid;
+mod index;
 mod polygon_plane;
 mod primitives;
 mod ray;
@@ -17,6 +20,9 @@ mod vec3;
 
 pub use aabb::Aabb;
 pub use bvh::{Bvh, Traversal};
+pub use extents::Extents;
+pub use grid::Grid;
+pub use index::SpatialIndex;
 pub use polygon_plane::{PolygonPlane, polygon_plane};
 pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
 pub use ray::{Hit, Ray, Start};
@@ -44,3 +50,6 @@ pub const PROJECTION_MARGIN: f64 = 1e-6;
 
 /// Hits beyond this distance (in units of the ray's direction) do not count. Finite, so that bounds can tell.
 pub const FARTHEST: f64 = 1e300;
+
+/// Distances along a grid's walk are taken shorter by this share, more than their rounding.
+pub const WALK_MARGIN: f64 = 1e-9;

@@ -2,7 +2,7 @@
 //!
 //! A model `c + u·U + v·V ± e` encloses a function of (U, V) ∈ [−1, 1]². Each operation adds its second-order terms
 //! and its own rounding to `e`, so that the model encloses what the same expression computes in scalar `f64` for any
-//! sample of the block (Berz, Makino 1998; affine arithmetic: Comba, Stolfi 1993). Unknown results are `e = ∞` or
+//! sample of the block (Makino, Berz 2003; affine arithmetic: Comba, Stolfi 1993). Unknown results are `e = ∞` or
 //! NaN; comparisons with them are neither certainly true nor certainly false.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};

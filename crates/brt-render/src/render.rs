@@ -5,7 +5,10 @@ use std::time::Instant;
 use brt_scene::Scene;
 use thiserror::Error;
 
-use crate::methods::{TileWorker, render_border, render_full, render_pixel_selected, render_reference};
+use crate::methods::{
+    TileWorker, render_border, render_full, render_item_buffer, render_pixel_selected, render_reference,
+    render_scan_line,
+};
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{
     BandAssembler, Layer, LayerRows, LayerSources, Sink, SinkError, TileColors, TilePicture, reduce,
@@ -16,6 +19,7 @@ use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Ti
 use crate::run::Run;
 use crate::schedule::Schedule;
 use crate::settings::{Method, Settings};
+use crate::tracing::ShadowSpace;
 
 /// Why there is no picture.
 #[derive(Debug, Error)]
@@ -48,7 +52,7 @@ pub fn render(
     settings.check().map_err(RenderError::Settings)?;
     let begin = Instant::now();
     let grid = SampleGrid::new(settings.size, settings.samples);
-    let prepared = prepare(scene);
+    let prepared = prepare(scene, settings.accelerator);
     let camera = PreparedCamera::new(&scene.camera, &grid);
     let job = Job {
         scene: &prepared,
@@ -56,6 +60,7 @@ pub fn render(
         grid: &grid,
         settings,
         max_depth: settings.max_depth.unwrap_or(scene.max_depth),
+        shadow_space: (settings.method == Method::ScanLine).then(|| ShadowSpace::new(&prepared)),
         outlines: settings.needs_perspective_image().then(|| Outlines::new(&prepared, &camera, &grid)),
     };
     let prepare_seconds = begin.elapsed().as_secs_f64();
@@ -88,6 +93,8 @@ pub(crate) struct Job<'a> {
     pub(crate) max_depth: u32,
     /// Only if a perspective image is made.
     pub(crate) outlines: Option<Outlines>,
+    /// Only for local ray tracing.
+    pub(crate) shadow_space: Option<ShadowSpace>,
 }
 
 /// Renders a tile. `outlines` are those that reach into it.
@@ -102,7 +109,10 @@ pub(crate) fn render_tile(
     // "Make a perspective image of the objects" (P3): what each sample sees first, without rays.
     if job.outlines.is_some() {
         let mut clock = StageClock::start();
-        painter.paint(tile, outlines, &mut worker.perspective);
+        match job.settings.method {
+            Method::ScanLine => painter.scan(tile, outlines, &mut worker.perspective),
+            _ => painter.paint(tile, outlines, &mut worker.perspective),
+        }
         clock.lap(&mut worker.tracer.counters.seconds.perspective);
     }
     // "Use it to choose the pixels that are ray-traced and those that are interpolated" (P3, P5, P6).
@@ -120,6 +130,12 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
     match method {
         Method::Reference => render_reference(worker, tile, job.scene, job.max_depth),
         Method::Full => render_full(worker, tile),
+        Method::ItemBuffer => render_item_buffer(worker, tile),
+        Method::ScanLine => {
+            if let Some(space) = &job.shadow_space {
+                render_scan_line(worker, tile, job.scene, space);
+            }
+        }
         Method::PixelSelected(settings) => render_pixel_selected(worker, tile, settings),
         Method::Border(settings) => render_border(worker, tile, settings),
     }

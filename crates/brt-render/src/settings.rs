@@ -27,6 +27,11 @@ pub struct Settings {
     pub compare_with_full: bool,
 }
 
+impl Accelerator {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::None, Self::Extents, Self::Grid, Self::Bvh];
+}
+
 impl Settings {
     /// One sample per pixel by full ray tracing.
     pub fn new(size: [u32; 2]) -> Self {
@@ -57,7 +62,7 @@ impl Settings {
         let block = match &self.method {
             Method::PixelSelected(settings) => settings.block,
             Method::Border(settings) => settings.block,
-            Method::Reference | Method::Full => 1,
+            Method::Reference | Method::Full | Method::ItemBuffer | Method::ScanLine => 1,
         };
         if !(1..=SampleGrid::TILE).contains(&block) {
             return Err(format!(
@@ -70,7 +75,7 @@ impl Settings {
 
     /// Does the method or a layer read a perspective image?
     pub(crate) fn needs_perspective_image(&self) -> bool {
-        matches!(self.method, Method::Border(_))
+        matches!(self.method, Method::Border(_) | Method::ItemBuffer | Method::ScanLine)
             || self.layers.iter().any(|layer| layer.needs_perspective_image())
     }
 }
@@ -116,10 +121,28 @@ pub enum Method {
     Reference,
     /// Every sample: standard ray tracing.
     Full,
+    /// Every sample, the first hit from the perspective image (Weghorst, Hooper, Greenberg 1984).
+    ItemBuffer,
+    /// Every sample, rays only where mirrors, glass or shadows need them (Tadamura, Nakamae, Nishita 1985).
+    ScanLine,
     /// Pixel-selected ray tracing (Akimoto, Mase 1986).
     PixelSelected(PixelSelectedSettings),
     /// Border ray tracing (Hashimoto, Suenaga 1987).
     Border(BorderSettings),
+}
+
+impl Method {
+    /// Its name on the command line and in statistics.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Reference => "reference",
+            Self::Full => "full",
+            Self::ItemBuffer => "item-buffer",
+            Self::ScanLine => "scan-line",
+            Self::PixelSelected(_) => "pixel-selected",
+            Self::Border(_) => "border",
+        }
+    }
 }
 
 /// What saves tests of primitives.
@@ -127,6 +150,10 @@ pub enum Method {
 pub enum Accelerator {
     /// Nothing: every ray is tested with every primitive. Paper: P7.
     None,
+    /// A bounding sphere around each object (Whitted 1980).
+    Extents,
+    /// A uniform grid (Fujimoto, Tanaka, Iwata 1986).
+    Grid,
     /// A bounding volume hierarchy.
     #[default]
     Bvh,

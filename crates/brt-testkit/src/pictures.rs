@@ -3,7 +3,7 @@
 use std::fmt;
 
 use brt_formats::write_toml;
-use brt_render::{LayerRows, Method, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
+use brt_render::{LayerRows, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
 use brt_scene::Scene;
 
 /// A picture with the layers that were asked for; the others are empty.
@@ -152,11 +152,7 @@ pub fn first_difference<T: SameBits>(size: [u32; 2], expected: &[T], actual: &[T
 pub fn replay_hint(scene: &Scene, settings: &Settings, difference: &Difference) -> String {
     const LONGEST: usize = 20_000;
     let ([width, height], [x, y]) = (settings.size, difference.pixel);
-    let method = match settings.method {
-        Method::Reference | Method::Full => "full",
-        Method::PixelSelected(_) => "pixel-selected",
-        Method::Border(_) => "border",
-    };
+    let method = settings.method.name();
     let samples = settings.samples.per_pixel();
     let text = write_toml(scene);
     let text = if text.len() > LONGEST { "(a long scene)" } else { &text };

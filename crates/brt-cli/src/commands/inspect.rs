@@ -82,7 +82,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
 
 impl Inspection {
     fn of(scene: &Scene, diagnostics: &[Diagnostic]) -> Self {
-        let prepared = prepare(scene);
+        let prepared = prepare(scene, brt::Accelerator::Bvh);
         let mut objects = BTreeMap::new();
         for object in &scene.objects {
             *objects.entry(object.shape.kind()).or_default() += 1;

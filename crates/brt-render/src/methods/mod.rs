@@ -2,9 +2,11 @@
 
 mod border;
 mod full;
+mod item_buffer;
 mod judge;
 mod pixel_selected;
 mod region;
+mod scan_line;
 mod worker;
 
 pub use border::{BorderSettings, Regions};
@@ -13,5 +15,7 @@ pub use pixel_selected::PixelSelectedSettings;
 
 pub(crate) use border::render_border;
 pub(crate) use full::{render_full, render_reference};
+pub(crate) use item_buffer::render_item_buffer;
 pub(crate) use pixel_selected::render_pixel_selected;
+pub(crate) use scan_line::render_scan_line;
 pub(crate) use worker::TileWorker;

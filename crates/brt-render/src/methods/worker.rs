@@ -28,9 +28,9 @@ pub(crate) enum First {
 
 impl<'a> TileWorker<'a> {
     pub(crate) fn new(job: &Job<'a>) -> Self {
-        let Settings { accelerator, history, layers, .. } = job.settings;
+        let Settings { history, layers, .. } = job.settings;
         Self {
-            tracer: Tracer::new(job.scene, *accelerator, *history, job.max_depth),
+            tracer: Tracer::new(job.scene, *history, job.max_depth),
             camera: job.camera,
             samples: TileSamples::default(),
             perspective: PerspectiveImage::default(),
@@ -41,6 +41,12 @@ impl<'a> TileWorker<'a> {
     /// Traces a sample of the tile unless that was done before.
     #[inline]
     pub(super) fn trace(&mut self, tile: &Tile, x: u32, y: u32, first: First) {
+        self.trace_lit(tile, x, y, first, 0);
+    }
+
+    /// The same, knowing that nothing hides some lights (by bits) from what is seen.
+    #[inline]
+    pub(super) fn trace_lit(&mut self, tile: &Tile, x: u32, y: u32, first: First, lights_seen: u64) {
         let index = tile.index(x, y);
         if self.samples.state[index] == SampleState::Traced {
             return;
@@ -50,7 +56,7 @@ impl<'a> TileWorker<'a> {
             First::Shown => FirstHit::Known(self.perspective.primitive[index]),
         };
         let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
-        let traced = self.tracer.trace(&ray, first);
+        let traced = self.tracer.trace(&ray, first, lights_seen);
         self.samples.color[index] = traced.color.to_f32();
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;

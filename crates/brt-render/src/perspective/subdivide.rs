@@ -42,6 +42,38 @@ impl<'a> Painter<'a> {
         self.paint_area(area, 0, &mut Canvas { tile, image, scene: self.scene });
     }
 
+    /// The same row by row: a scan-line Z-buffer (Watkins 1970, without his sorting).
+    pub(crate) fn scan(&mut self, tile: &Tile, outlines: &[Outline], image: &mut PerspectiveImage) {
+        image.reset(tile);
+        let mut canvas = Canvas { tile, image, scene: self.scene };
+        let mut nearest = vec![(f64::INFINITY, NOTHING); tile.width as usize];
+        for y in tile.y..tile.y + tile.height {
+            let row = Area { x0: tile.x, y0: y, x1: tile.x + tile.width, y1: y + 1 };
+            nearest.fill((f64::INFINITY, NOTHING));
+            for outline in outlines {
+                let Some(part) = row.clipped(outline) else { continue };
+                self.keep_nearer(part, tile.x, outline.primitive, &mut nearest);
+            }
+            for (x, &(_, primitive)) in (tile.x..).zip(&nearest) {
+                canvas.fill(Area { x0: x, x1: x + 1, ..row }, primitive);
+            }
+        }
+    }
+
+    /// Tests a primitive on samples of one row that begins at column `first`.
+    fn keep_nearer(&self, part: Area, first: u32, id: u32, nearest: &mut [(f64, u32)]) {
+        let primitive = &self.scene.primitives[id as usize];
+        for x in part.x0..part.x1 {
+            let hit =
+                primitive.first_hit(&self.camera.ray(f64::from(x), f64::from(part.y0)), Start::Elsewhere);
+            let at = &mut nearest[(x - first) as usize];
+            // Primitives come in the order of ids: of equally near ones the first stays.
+            if hit.found && hit.t < at.0 {
+                *at = (hit.t, id);
+            }
+        }
+    }
+
     /// Paints an area, its candidates being those from `first` on. Takes them off the list.
     fn paint_area(&mut self, area: Area, first: usize, canvas: &mut Canvas) {
         self.keep_what_may_be_seen(area, first);

@@ -132,8 +132,10 @@ mod tests {
                 let tile = Tile::at(&grid, column, band);
                 let part = reduce(filter, &grid, &tile, &vec![[1.0; 3]; tile.sample_count()]);
                 for (i, c) in part.colors.iter().enumerate() {
-                    let (x, y) =
-                        (part.x + (i as u32 % part.width) as i64, part.y + (i as u32 / part.width) as i64);
+                    let (x, y) = (
+                        part.x + i64::from(i as u32 % part.width),
+                        part.y + i64::from(i as u32 / part.width),
+                    );
                     if (0..i64::from(size[0])).contains(&x) && (0..i64::from(size[1])).contains(&y) {
                         sums[(y * i64::from(size[0]) + x) as usize] += f64::from(c[0]);
                     }

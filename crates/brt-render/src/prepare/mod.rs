@@ -6,17 +6,18 @@ mod mesh;
 
 pub use camera::PreparedCamera;
 
-use brt_geometry::{Bvh, Exponent};
+use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
 use brt_scene::{Light, Material, Scene};
 
 use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
+use crate::settings::Accelerator;
 use flatten::Flattened;
 
 /// So few bounded primitives are tested faster than a tree over them is entered.
 const FEW: usize = 3;
 
-/// Flattens a scene and builds its BVH. The scene must have passed [`Scene::check`].
-pub fn prepare(scene: &Scene) -> PreparedScene {
+/// Flattens a scene and builds an index over its primitives. The scene must have passed [`Scene::check`].
+pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
     let Flattened { primitives, infos, surfaces, normals } = Flattened::of(scene);
     let mut boxes = Vec::with_capacity(primitives.len());
     let mut outside = Vec::new();
@@ -26,11 +27,20 @@ pub fn prepare(scene: &Scene) -> PreparedScene {
             None => outside.push(id),
         }
     }
-    if boxes.len() <= FEW {
+    if accelerator == Accelerator::Bvh && boxes.len() <= FEW {
         outside.extend(boxes.drain(..).map(|(id, _)| id));
     }
+    let index = match accelerator {
+        Accelerator::None => SpatialIndex::Everything(boxes.iter().map(|b| b.0).collect()),
+        Accelerator::Extents => {
+            let object_of = |id: u32| surfaces[infos[id as usize].surface as usize].object;
+            SpatialIndex::Extents(Extents::build(&boxes, object_of))
+        }
+        Accelerator::Grid => SpatialIndex::Grid(Grid::build(&boxes)),
+        Accelerator::Bvh => SpatialIndex::Bvh(Bvh::build(&boxes)),
+    };
     PreparedScene {
-        bvh: Bvh::build(&boxes),
+        index,
         primitives,
         infos,
         surfaces,

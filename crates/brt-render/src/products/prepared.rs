@@ -1,10 +1,10 @@
 //! The scene as the tracers want it.
 
-use brt_geometry::{Bvh, Exponent, Primitive, Vec3};
+use brt_geometry::{Exponent, Primitive, SpatialIndex, Vec3};
 use brt_image::Rgb;
 use brt_scene::{Checker, Highlight};
 
-/// A scene flattened to primitives, with its BVH.
+/// A scene flattened to primitives, with an index over them.
 #[derive(Clone, Debug)]
 pub struct PreparedScene {
     /// In the order of the scene's objects; the index is the primitive's id. Of equally near hits the lowest wins.
@@ -15,10 +15,10 @@ pub struct PreparedScene {
     pub(crate) surfaces: Vec<Surface>,
     /// Shading normals of smooth triangles.
     pub(crate) normals: Vec<[Vec3; 3]>,
-    /// Primitives outside the BVH: those without a box, or all of a tiny scene.
+    /// Primitives outside the index: those without a box, or all of a tiny scene.
     pub(crate) outside: Vec<u32>,
     /// Items are primitive ids.
-    pub(crate) bvh: Bvh,
+    pub(crate) index: SpatialIndex,
     pub(crate) lights: Vec<PreparedLight>,
     pub(crate) materials: Vec<PreparedMaterial>,
     pub(crate) background: Rgb,

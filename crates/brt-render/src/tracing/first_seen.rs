@@ -4,7 +4,6 @@ use brt_geometry::Ray;
 
 use super::search::{FROM_NOWHERE, Search};
 use crate::products::PreparedScene;
-use crate::settings::Accelerator;
 
 /// What a ray meets first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +16,8 @@ pub struct FirstSeen {
 
 impl PreparedScene {
     /// What a ray meets first, `None` for the background.
-    pub fn first_seen(&self, ray: &Ray, accelerator: Accelerator) -> Option<FirstSeen> {
-        let met = Search::new(self, accelerator).closest(ray, FROM_NOWHERE)?;
+    pub fn first_seen(&self, ray: &Ray) -> Option<FirstSeen> {
+        let met = Search::new(self).closest(ray, FROM_NOWHERE)?;
         Some(FirstSeen { surface: self.infos[met.primitive as usize].surface, depth: met.t })
     }
 }

@@ -8,9 +8,11 @@ mod illumination;
 mod interaction;
 mod reference;
 mod search;
+mod shadow_space;
 mod tracer;
 
 pub use first_seen::FirstSeen;
 pub(crate) use interaction::Interaction;
 pub(crate) use reference::reference_sample;
+pub(crate) use shadow_space::ShadowSpace;
 pub(crate) use tracer::{FirstHit, Tracer};

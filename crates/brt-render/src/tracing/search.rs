@@ -3,7 +3,6 @@
 use brt_geometry::{Ray, Start, Traversal};
 
 use crate::products::{Counters, PreparedScene};
-use crate::settings::Accelerator;
 
 /// A primitive and the distance at which a ray meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,14 +46,13 @@ fn start(id: u32, from: u32) -> Start {
 /// Searches primitives along rays.
 pub(crate) struct Search<'a> {
     scene: &'a PreparedScene,
-    accelerator: Accelerator,
     walk: Traversal,
     primitive_tests: u64,
 }
 
 impl<'a> Search<'a> {
-    pub(crate) fn new(scene: &'a PreparedScene, accelerator: Accelerator) -> Self {
-        Self { scene, accelerator, walk: Traversal::default(), primitive_tests: 0 }
+    pub(crate) fn new(scene: &'a PreparedScene) -> Self {
+        Self { scene, walk: Traversal::default(), primitive_tests: 0 }
     }
 
     /// Moves the counts of tests and nodes.
@@ -94,12 +92,7 @@ impl<'a> Search<'a> {
             let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
             hit.found && hit.t < t_max && scene.infos[id as usize].casts_shadow
         };
-        match self.accelerator {
-            Accelerator::None => (0..scene.primitives.len() as u32).any(hides),
-            Accelerator::Bvh => {
-                scene.outside.iter().any(|&id| hides(id)) || scene.bvh.any(ray, t_max, &mut self.walk, hides)
-            }
-        }
+        scene.outside.iter().any(|&id| hides(id)) || scene.index.any(ray, t_max, &mut self.walk, hides)
     }
 
     #[inline(always)]
@@ -112,16 +105,11 @@ impl<'a> Search<'a> {
                 best.test(scene, ray, from, id);
             }
         };
-        match self.accelerator {
-            Accelerator::None => (0..scene.primitives.len() as u32).for_each(|id| visit(id, &mut best)),
-            Accelerator::Bvh => {
-                scene.outside.iter().for_each(|&id| visit(id, &mut best));
-                scene.bvh.closest(ray, best.t, &mut self.walk, |id| {
-                    visit(id, &mut best);
-                    best.t
-                });
-            }
-        }
+        scene.outside.iter().for_each(|&id| visit(id, &mut best));
+        scene.index.closest(ray, best.t, &mut self.walk, |id| {
+            visit(id, &mut best);
+            best.t
+        });
         best.found()
     }
 }

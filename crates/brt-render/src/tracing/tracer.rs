@@ -8,7 +8,7 @@ use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
-use crate::settings::{Accelerator, HistoryKind};
+use crate::settings::HistoryKind;
 
 /// What is known of a camera ray before it is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,19 +33,16 @@ pub(crate) struct Tracer<'a> {
     history_kind: HistoryKind,
     max_depth: u32,
     history: RayHistory,
+    /// Bits of lights that the next hit is known to see.
+    lights_seen: u64,
     pub(crate) counters: Counters,
 }
 
 impl<'a> Tracer<'a> {
-    pub(crate) fn new(
-        scene: &'a PreparedScene,
-        accelerator: Accelerator,
-        history_kind: HistoryKind,
-        max_depth: u32,
-    ) -> Self {
-        let search = Search::new(scene, accelerator);
+    pub(crate) fn new(scene: &'a PreparedScene, history_kind: HistoryKind, max_depth: u32) -> Self {
+        let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
-        Self { scene, search, history_kind, max_depth, history, counters }
+        Self { scene, search, history_kind, max_depth, history, lights_seen: 0, counters }
     }
 
     /// Everything counted since the last call.
@@ -54,9 +51,10 @@ impl<'a> Tracer<'a> {
         std::mem::take(&mut self.counters)
     }
 
-    /// Traces a camera ray.
+    /// Traces a camera ray. Nothing hides the lights of `lights_seen` (by bits) from its first hit.
     #[inline]
-    pub(crate) fn trace(&mut self, ray: &Ray, first: FirstHit) -> TracedSample {
+    pub(crate) fn trace(&mut self, ray: &Ray, first: FirstHit, lights_seen: u64) -> TracedSample {
+        self.lights_seen = lights_seen;
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
         let met = match first {
@@ -85,8 +83,10 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::Cell(cell));
         }
         let mut color = here.body * here.material.ambient;
+        let mut known = std::mem::take(&mut self.lights_seen);
         for light in &self.scene.lights {
-            color = color + self.light_from(light, &here, met.primitive);
+            color = color + self.light_from(light, &here, met.primitive, known & 1 == 1);
+            known >>= 1;
         }
         if here.material.is_dull() {
             return color;
@@ -127,7 +127,7 @@ impl<'a> Tracer<'a> {
     }
 
     #[inline]
-    fn light_from(&mut self, light: &PreparedLight, here: &Interaction, from: u32) -> Rgb {
+    fn light_from(&mut self, light: &PreparedLight, here: &Interaction, from: u32, is_seen: bool) -> Rgb {
         let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
             PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
             PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
@@ -136,6 +136,8 @@ impl<'a> Tracer<'a> {
         let is_behind = here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0;
         let hidden_by = if is_behind {
             Some(here.info.surface)
+        } else if is_seen {
+            None
         } else {
             self.counters.rays.shadow += 1;
             self.hiding_surface(&Ray::new(here.point, towards), from, t_max)

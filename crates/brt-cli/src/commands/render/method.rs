@@ -20,6 +20,8 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
     let block = paper.block.unwrap_or(BLOCK);
     Ok(match options.method {
         MethodName::Full => Method::Full,
+        MethodName::ItemBuffer => Method::ItemBuffer,
+        MethodName::ScanLine => Method::ScanLine,
         MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
             block,
             delta: DifferenceDelta(delta),

@@ -101,6 +101,10 @@ impl Options {
 pub(crate) enum MethodName {
     /// Every sample: standard ray tracing
     Full,
+    /// Every sample, first hits from the perspective image (Weghorst, Hooper, Greenberg 1984)
+    ItemBuffer,
+    /// Every sample, rays only where mirrors, glass or shadows need them (Tadamura, Nakamae, Nishita 1985)
+    ScanLine,
     /// Pixel-selected ray tracing (Akimoto, Mase 1986)
     PixelSelected,
     /// Border ray tracing (Hashimoto, Suenaga 1987)
@@ -113,6 +117,8 @@ impl MethodName {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
+            Self::ItemBuffer => "item-buffer",
+            Self::ScanLine => "scan-line",
             Self::PixelSelected => "pixel-selected",
             Self::Border => "border",
         }

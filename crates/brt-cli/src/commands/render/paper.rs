@@ -72,6 +72,10 @@ pub(crate) enum AcceleratorName {
     Bvh,
     /// Every ray is tested with every primitive, as in the paper
     None,
+    /// Bounding spheres around objects (Whitted 1980)
+    Extents,
+    /// A uniform grid (Fujimoto, Tanaka, Iwata 1986)
+    Grid,
 }
 
 impl From<RegionsName> for brt::Regions {
@@ -97,6 +101,8 @@ impl From<AcceleratorName> for brt::Accelerator {
         match name {
             AcceleratorName::Bvh => Self::Bvh,
             AcceleratorName::None => Self::None,
+            AcceleratorName::Extents => Self::Extents,
+            AcceleratorName::Grid => Self::Grid,
         }
     }
 }

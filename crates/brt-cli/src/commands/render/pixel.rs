@@ -109,7 +109,7 @@ fn describe(found: &Rows, scene: &Scene, transfer: Transfer) -> Vec<String> {
 }
 
 fn surface(id: u32, scene: &Scene) -> String {
-    let prepared = prepare(scene);
+    let prepared = prepare(scene, brt::Accelerator::Bvh);
     let Some(surface) = prepared.surfaces().get(id as usize) else {
         return "none: the background".to_owned();
     };

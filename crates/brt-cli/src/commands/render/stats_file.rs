@@ -1,6 +1,6 @@
 //! The file of `--stats`. Its keys are a promise.
 
-use brt::{Method, Rendered, Settings, Stats};
+use brt::{Rendered, Settings, Stats};
 use serde::Serialize;
 
 use crate::commands::text_file::TextFile;
@@ -79,7 +79,7 @@ pub(super) fn write(
 ) -> Result<(), Failure> {
     let Stats { pixels, rays, primitive_tests, nodes_visited, blocks, .. } = rendered.stats;
     let json = StatsJson {
-        method: method_name(&settings.method),
+        method: settings.method.name(),
         width: settings.size[0],
         height: settings.size[1],
         samples: settings.samples.per_pixel(),
@@ -102,13 +102,4 @@ pub(super) fn write(
         blocks: Blocks { judged: blocks.judged, filled: blocks.filled, divided: blocks.divided },
     };
     file.write(&(json::text(&json)? + "\n"))
-}
-
-fn method_name(method: &Method) -> &'static str {
-    match method {
-        Method::Reference => "reference",
-        Method::Full => "full",
-        Method::PixelSelected(_) => "pixel-selected",
-        Method::Border(_) => "border",
-    }
 }

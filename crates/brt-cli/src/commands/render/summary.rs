@@ -61,14 +61,13 @@ fn last_line(targets: &Targets, settings: &Settings, rendered: &Rendered, total:
 
 fn method(method: &Method) -> String {
     match method {
-        Method::Reference => "reference".to_owned(),
-        Method::Full => "full".to_owned(),
         Method::PixelSelected(settings) => format!("pixel-selected Δ {}", settings.delta.0),
         Method::Border(settings) => match settings.judge {
             Judge::Deviation(delta) => format!("border Δ {}", delta.0),
             Judge::Variance(delta) => format!("border Δ {} of variance", delta.0),
             Judge::Difference(delta) => format!("border Δ {} of difference", delta.0),
         },
+        others => others.name().to_owned(),
     }
 }
 
