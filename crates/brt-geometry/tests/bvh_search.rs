@@ -46,7 +46,8 @@ fn point_in(random: &mut Random, bounds: &Aabb) -> Vec3 {
 /// A ray through a point: from anywhere, near or far, along an axis, in a plane along two axes, or starting there.
 fn ray_through(random: &mut Random, point: Vec3, size: f64) -> (Ray, f64) {
     // From far away the tree's f32 sees the origin itself only roughly.
-    let mut origin = random.point(random.pick(&[3.0, 3.0, 3e3, 3e5])) * size;
+    let distance = random.pick(&[3.0, 3.0, 3e3, 3e5]);
+    let mut origin = random.point(distance) * size;
     (0..random.below(4)).for_each(|_| {
         let axis = random.below(3) as usize;
         origin[axis] = point[axis];

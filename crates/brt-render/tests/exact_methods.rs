@@ -43,7 +43,13 @@ fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<Strin
     let settings = Settings { layers: vec![Layer::History], history, ..Settings::new(size) };
     let full = rendered(scene, &settings);
     let with = |method: Method, accelerator| Settings { method, accelerator, ..settings.clone() };
-    let mut ways = vec![with(Method::Reference, Accelerator::Bvh), with(Method::Full, Accelerator::None)];
+    let mut ways = vec![
+        with(Method::Reference, Accelerator::Bvh),
+        with(Method::Full, Accelerator::None),
+        with(Method::Full, Accelerator::Extents),
+        with(Method::ItemBuffer, Accelerator::Bvh),
+        with(Method::ScanLine, Accelerator::Bvh),
+    ];
     for (judge, regions) in JUDGES.into_iter().zip([Regions::Separate, Regions::Together, Regions::Separate])
     {
         ways.push(with(border_of_single_samples(judge, regions), Accelerator::Bvh));
@@ -57,7 +63,7 @@ fn assert_same(scene: &Scene, size: [u32; 2]) {
 }
 
 proptest! {
-    #![proptest_config(seeded(1987, 250))]
+    #![proptest_config(seeded(1987, 800))]
 
     #[test]
     fn all_ways_to_trace_every_sample_agree_bit_for_bit(
@@ -73,7 +79,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(seeded(6, 60))]
+    #![proptest_config(seeded(6, 200))]
 
     #[test]
     fn they_agree_a_million_times_larger_smaller_and_farther_away(

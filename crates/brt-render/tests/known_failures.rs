@@ -1,11 +1,12 @@
 //! Failures that are known, asserted as such, so that the day they are gone is noticed.
 //!
-//! All three come from rounding where a primitive is met far from where it is, or is not met where it is: the plain
-//! search over all primitives believes such hits, boxes and outlines do not. No picture that is looked at shows them.
+//! The first three come from rounding where a primitive is met far from where it is, or is not met where it is: the
+//! plain search over all primitives believes such hits, boxes and outlines do not. No picture that is looked at shows
+//! them. The others are mistakes.
 
 use brt_geometry::vec3;
 use brt_image::rgb;
-use brt_render::{BorderSettings, HistoryKind, Layer, Method, Run, Settings};
+use brt_render::{Accelerator, BorderSettings, HistoryKind, Layer, Method, Run, Settings};
 use brt_scene::{Light, Material, Mesh, Scene, Shape};
 use brt_testkit::{Rendered, looking, render_with_layers};
 
@@ -80,4 +81,37 @@ fn a_light_in_the_plane_of_a_wall_of_triangles_shadows_it_by_chance() {
         by_chance += usize::from(plain.len() > 2);
     }
     assert!((1..40).contains(&by_chance), "{by_chance} of 40 walls");
+}
+
+/// Rays along an axis with zeros of both signs: for −0 the grid takes the far side of a slab for the near one and
+/// passes by. Once this fails, `Accelerator::Grid` belongs into the list of `exact_methods.rs`.
+#[test]
+fn the_grid_loses_the_shadow_of_a_light_along_an_axis() {
+    let mut scene = Scene::new(looking([0.5, 0.3, 5.0], [0.0, 0.0, 0.0], 40.0));
+    let material = scene.add_material(Material::matte("m", rgb(1.0, 1.0, 1.0)));
+    for x in [-0.4, 0.0, 0.4, 0.8] {
+        scene.add(Shape::Sphere { center: vec3(x, 0.0, -0.5), radius: 0.3 }, material);
+        scene.add(Shape::Sphere { center: vec3(x, 0.0, 0.5), radius: 0.2 }, material);
+    }
+    scene.lights.push(Light::Directional { direction: vec3(0.0, 0.0, -1.0), color: rgb(1.0, 1.0, 1.0) });
+    let picture = |accelerator| {
+        let settings = Settings { accelerator, ..Settings::new([60, 40]) };
+        render_with_layers(&scene, &settings, &Run::default())
+    };
+    let lost = differing(&picture(Accelerator::Bvh), &picture(Accelerator::Grid));
+    assert!(lost > 0);
+}
+
+/// A plane that a directional light's rays meet beyond the end of the space that is looked at.
+#[test]
+fn the_scan_line_method_loses_the_shadow_of_a_plane_far_away() {
+    let mut scene = Scene::new(looking([0.0, 0.0, 5.0], [0.0, 0.0, 0.0], 30.0));
+    let material = scene.add_material(Material::matte("m", rgb(1.0, 1.0, 1.0)));
+    scene.add(Shape::Sphere { center: vec3(0.0, 0.0, 0.0), radius: 0.8 }, material);
+    // The light comes nearly along the plane, from behind it.
+    scene.add(Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: 3.0 }, material);
+    scene.lights.push(Light::Directional { direction: vec3(0.0, -0.1, -1.0), color: rgb(1.0, 1.0, 1.0) });
+    let size = [60, 40];
+    let (full, scan_line) = (rendered(&scene, Method::Full, size), rendered(&scene, Method::ScanLine, size));
+    assert!(differing(&full, &scan_line) > 0);
 }
