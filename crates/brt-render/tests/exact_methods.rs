@@ -1,14 +1,15 @@
 //! Methods that trace every sample give the same bits, whatever saves their work.
 
 use brt_geometry::{Vec3, vec3};
+use brt_image::{Rgb, rgb};
 use brt_render::{
     Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, HistoryKind, Judge, Layer, Method, Regions,
     Run, Settings, VarianceDelta,
 };
-use brt_scene::Scene;
+use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
-    AnyScene, Rendered, all_shapes, any_scene, first_difference, render_with_layers, replay_hint, scaled,
-    seed_scene, seeded, shifted,
+    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_with_layers, replay_hint,
+    scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -125,4 +126,24 @@ fn they_agree_on_a_scene_without_anything() {
     assert_same(&scene, [30, 20]);
     scene.lights.clear();
     assert_same(&scene, [3, 2]);
+}
+
+/// Discs and a plane in one plane, seen directly, in a mirror, and in the way of light.
+#[test]
+fn they_agree_where_several_surfaces_are_met_at_one_distance() {
+    let mut scene = Scene::new(looking([0.3, 0.2, 5.0], [0.0, 0.0, 0.0], 50.0));
+    scene.lights.push(Light::Point { position: vec3(1.0, 2.0, -6.0), color: Rgb::WHITE });
+    let normal = vec3(0.0, 0.0, 1.0);
+    for (name, x, hue) in [("first", -0.5, 0.2), ("second", 0.1, 0.5), ("third", 0.8, 0.8)] {
+        let color = rgb(hue, 1.0 - hue, 0.5);
+        let material = scene.add_material(Material { ambient: 1.0, ..Material::matte(name, color) });
+        scene.add(Shape::Disc { center: vec3(x, 0.0, 0.25), normal, radius: 1.0 }, material);
+    }
+    let mirror = Material { reflection: 0.5, ..Material::matte("mirror", Rgb::WHITE) };
+    let mirror = scene.add_material(mirror);
+    scene.add(Shape::Plane { normal, distance: -3.0 }, mirror);
+    assert_same(&scene, [60, 40]);
+    // The middle of the picture lies on all three discs: the earliest is seen.
+    let picture = rendered(&scene, &Settings::new([61, 41]));
+    assert_eq!(picture.colors[picture.index(30, 20)], [0.2, 0.8, 0.5]);
 }
