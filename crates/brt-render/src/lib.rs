@@ -17,7 +17,8 @@ mod settings;
 mod tracing;
 
 pub use methods::{
-    BorderSettings, DeviationDelta, DifferenceDelta, Judge, PixelSelectedSettings, Regions, VarianceDelta,
+    BorderSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings, PixelSelectedSettings, Regions,
+    VarianceDelta,
 };
 pub use picture::{Filter, Layer, LayerRows, Rows, Sink, SinkError};
 pub use prepare::{PreparedCamera, prepare};

@@ -6,8 +6,8 @@ use brt_scene::Scene;
 use thiserror::Error;
 
 use crate::methods::{
-    TileWorker, render_border, render_full, render_item_buffer, render_pixel_selected, render_reference,
-    render_scan_line,
+    TileWorker, render_border, render_full, render_item_buffer, render_pencil, render_pixel_selected,
+    render_reference, render_scan_line,
 };
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{
@@ -19,7 +19,7 @@ use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Ti
 use crate::run::Run;
 use crate::schedule::Schedule;
 use crate::settings::{Method, Settings};
-use crate::tracing::ShadowSpace;
+use crate::tracing::{BoundingSpheres, PencilTracer};
 
 /// Why there is no picture.
 #[derive(Debug, Error)]
@@ -60,7 +60,7 @@ pub fn render(
         grid: &grid,
         settings,
         max_depth: settings.max_depth.unwrap_or(scene.max_depth),
-        shadow_space: (settings.method == Method::ScanLine).then(|| ShadowSpace::new(&prepared)),
+        spheres: settings.method.needs_bounding_spheres().then(|| BoundingSpheres::new(&prepared)),
         outlines: settings.needs_perspective_image().then(|| Outlines::new(&prepared, &camera, &grid)),
     };
     let prepare_seconds = begin.elapsed().as_secs_f64();
@@ -93,8 +93,8 @@ pub(crate) struct Job<'a> {
     pub(crate) max_depth: u32,
     /// Only if a perspective image is made.
     pub(crate) outlines: Option<Outlines>,
-    /// Only for local ray tracing.
-    pub(crate) shadow_space: Option<ShadowSpace>,
+    /// Only for methods that look for what a bundle of rays may meet.
+    pub(crate) spheres: Option<BoundingSpheres>,
 }
 
 /// Renders a tile. `outlines` are those that reach into it.
@@ -132,8 +132,14 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
         Method::Full => render_full(worker, tile),
         Method::ItemBuffer => render_item_buffer(worker, tile),
         Method::ScanLine => {
-            if let Some(space) = &job.shadow_space {
-                render_scan_line(worker, tile, job.scene, space);
+            if let Some(spheres) = &job.spheres {
+                render_scan_line(worker, tile, job.scene, spheres);
+            }
+        }
+        Method::Pencil(settings) => {
+            if let Some(spheres) = &job.spheres {
+                let tracer = PencilTracer { scene: job.scene, spheres, max_depth: job.max_depth };
+                render_pencil(worker, tile, &tracer, settings);
             }
         }
         Method::PixelSelected(settings) => render_pixel_selected(worker, tile, settings),

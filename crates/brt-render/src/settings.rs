@@ -1,6 +1,6 @@
 //! What is rendered: everything that a picture depends on besides the scene.
 
-use crate::methods::{BorderSettings, PixelSelectedSettings};
+use crate::methods::{BorderSettings, PencilSettings, PixelSelectedSettings};
 use crate::picture::{Filter, Layer};
 use crate::products::SampleGrid;
 
@@ -62,6 +62,7 @@ impl Settings {
         let block = match &self.method {
             Method::PixelSelected(settings) => settings.block,
             Method::Border(settings) => settings.block,
+            Method::Pencil(settings) => settings.block,
             Method::Reference | Method::Full | Method::ItemBuffer | Method::ScanLine => 1,
         };
         if !(1..=SampleGrid::TILE).contains(&block) {
@@ -75,7 +76,7 @@ impl Settings {
 
     /// Does the method or a layer read a perspective image?
     pub(crate) fn needs_perspective_image(&self) -> bool {
-        matches!(self.method, Method::Border(_) | Method::ItemBuffer | Method::ScanLine)
+        !matches!(self.method, Method::Reference | Method::Full | Method::PixelSelected(_))
             || self.layers.iter().any(|layer| layer.needs_perspective_image())
     }
 }
@@ -125,6 +126,8 @@ pub enum Method {
     ItemBuffer,
     /// Every sample, rays only where mirrors, glass or shadows need them (Tadamura, Nakamae, Nishita 1985).
     ScanLine,
+    /// Blocks of rays traced together, within a tolerance (Shinya, Takahashi, Naito 1987).
+    Pencil(PencilSettings),
     /// Pixel-selected ray tracing (Akimoto, Mase 1986).
     PixelSelected(PixelSelectedSettings),
     /// Border ray tracing (Hashimoto, Suenaga 1987).
@@ -132,6 +135,11 @@ pub enum Method {
 }
 
 impl Method {
+    /// Does it look for what a bundle of rays may meet?
+    pub(crate) fn needs_bounding_spheres(&self) -> bool {
+        matches!(self, Self::ScanLine | Self::Pencil(_))
+    }
+
     /// Its name on the command line and in statistics.
     pub fn name(&self) -> &'static str {
         match self {
@@ -139,6 +147,7 @@ impl Method {
             Self::Full => "full",
             Self::ItemBuffer => "item-buffer",
             Self::ScanLine => "scan-line",
+            Self::Pencil(_) => "pencil",
             Self::PixelSelected(_) => "pixel-selected",
             Self::Border(_) => "border",
         }

@@ -60,13 +60,13 @@ pub use brt_image as image;
 pub use brt_render as rendering;
 pub use brt_scene as scene;
 
-pub use brt_formats::{Format, Limits, LoadError, Loaded, load, parse, write_toml};
+pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, write, write_toml};
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb};
 pub use brt_render::{
     Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer,
-    LayerRows, Method, PixelSelectedSettings, Progress, RayHistory, Regions, RenderError, Rows, Run,
-    SampleState, Samples, Settings, Sink, SinkError, Stats, VarianceDelta, prepare, render,
+    LayerRows, Method, PencilSettings, PixelSelectedSettings, Progress, RayHistory, Regions, RenderError,
+    Rows, Run, SampleState, Samples, Settings, Sink, SinkError, Stats, VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

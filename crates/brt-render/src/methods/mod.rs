@@ -4,6 +4,7 @@ mod border;
 mod full;
 mod item_buffer;
 mod judge;
+mod pencil;
 mod pixel_selected;
 mod region;
 mod scan_line;
@@ -11,11 +12,13 @@ mod worker;
 
 pub use border::{BorderSettings, Regions};
 pub use judge::{DeviationDelta, DifferenceDelta, Judge, VarianceDelta};
+pub use pencil::PencilSettings;
 pub use pixel_selected::PixelSelectedSettings;
 
 pub(crate) use border::render_border;
 pub(crate) use full::{render_full, render_reference};
 pub(crate) use item_buffer::render_item_buffer;
+pub(crate) use pencil::render_pencil;
 pub(crate) use pixel_selected::render_pixel_selected;
 pub(crate) use scan_line::render_scan_line;
 pub(crate) use worker::TileWorker;

@@ -8,7 +8,7 @@ use brt_geometry::{Start, Vec3};
 
 use super::worker::{First, TileWorker};
 use crate::products::{NOTHING, PreparedScene, StageClock, Tile};
-use crate::tracing::{Interaction, ShadowSpace};
+use crate::tracing::{BoundingSpheres, Interaction, lights_surely_seen};
 
 /// Runs are short so that the spaces between them and the lights are slim.
 const LONGEST_RUN: u32 = 16;
@@ -18,14 +18,14 @@ pub(crate) fn render_scan_line(
     worker: &mut TileWorker,
     tile: &Tile,
     scene: &PreparedScene,
-    space: &ShadowSpace,
+    spheres: &BoundingSpheres,
 ) {
     let mut clock = StageClock::start();
     for y in 0..tile.height {
         let mut x = 0;
         while x < tile.width {
             let end = end_of_run(worker, tile, x, y);
-            let lights = lights_surely_seen(worker, tile, scene, space, [x, end], y);
+            let lights = lights_seen_from(worker, tile, scene, spheres, [x, end], y);
             for column in x..end {
                 worker.trace_lit(tile, column, y, First::Shown, lights);
             }
@@ -43,11 +43,11 @@ fn end_of_run(worker: &TileWorker, tile: &Tile, x: u32, y: u32) -> u32 {
 }
 
 /// Bits of the lights that nothing can hide from the samples of a run.
-fn lights_surely_seen(
+fn lights_seen_from(
     worker: &TileWorker,
     tile: &Tile,
     scene: &PreparedScene,
-    space: &ShadowSpace,
+    spheres: &BoundingSpheres,
     [start, end]: [u32; 2],
     y: u32,
 ) -> u64 {
@@ -62,5 +62,5 @@ fn lights_surely_seen(
         (point, geometric_normal)
     };
     let points: Vec<(Vec3, Vec3)> = (start..end).map(here).collect();
-    space.lights_surely_seen(scene, primitive, &points)
+    lights_surely_seen(scene, spheres, primitive, &points)
 }

@@ -3,7 +3,7 @@
 use brt_geometry::{PROJECTION_MARGIN, Primitive, Vec3};
 
 use crate::prepare::PreparedCamera;
-use crate::products::{PreparedScene, SampleGrid};
+use crate::products::{Area, PreparedScene, SampleGrid};
 
 /// A rectangle of samples that a primitive does not leave, and the least depth at which it is met.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +14,27 @@ pub(crate) struct Outline {
     pub(crate) y: [u32; 2],
     /// No hit is nearer than this.
     pub(crate) nearest: f64,
+}
+
+impl Outline {
+    pub(super) fn meets(&self, area: &Area) -> bool {
+        self.x[0] < area.x1 && self.x[1] >= area.x0 && self.y[0] < area.y1 && self.y[1] >= area.y0
+    }
+
+    pub(super) fn contains(&self, area: &Area) -> bool {
+        self.x[0] <= area.x0 && self.x[1] + 1 >= area.x1 && self.y[0] <= area.y0 && self.y[1] + 1 >= area.y1
+    }
+
+    /// The part of an area inside it.
+    pub(super) fn clip(&self, area: &Area) -> Option<Area> {
+        let part = Area {
+            x0: area.x0.max(self.x[0]),
+            y0: area.y0.max(self.y[0]),
+            x1: area.x1.min(self.x[1] + 1),
+            y1: area.y1.min(self.y[1] + 1),
+        };
+        (part.x0 < part.x1 && part.y0 < part.y1).then_some(part)
+    }
 }
 
 /// Outlines of all primitives that can be seen, by band.

@@ -4,7 +4,7 @@ use brt_geometry::{Hit, Mask, Ray, Real, Start, Taylor};
 
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
-use crate::products::{NOTHING, PerspectiveImage, PreparedScene, Tile};
+use crate::products::{Area, NOTHING, PerspectiveImage, PreparedScene, Tile};
 
 /// Blocks of this side and less are not divided further: their samples go through the Z-buffer.
 const SMALLEST_BLOCK: u32 = 8;
@@ -17,15 +17,6 @@ pub(crate) struct Painter<'a> {
     candidates: Vec<Outline>,
     /// Hits of the candidates of one block.
     hits: Vec<Option<Hit<Taylor>>>,
-}
-
-/// A rectangle of samples, counted over the whole picture, `x1` and `y1` not included.
-#[derive(Clone, Copy)]
-struct Area {
-    x0: u32,
-    y0: u32,
-    x1: u32,
-    y1: u32,
 }
 
 impl<'a> Painter<'a> {
@@ -51,7 +42,7 @@ impl<'a> Painter<'a> {
             let row = Area { x0: tile.x, y0: y, x1: tile.x + tile.width, y1: y + 1 };
             nearest.fill((f64::INFINITY, NOTHING));
             for outline in outlines {
-                let Some(part) = row.clipped(outline) else { continue };
+                let Some(part) = outline.clip(&row) else { continue };
                 self.keep_nearer(part, tile.x, outline.primitive, &mut nearest);
             }
             for (x, &(_, primitive)) in (tile.x..).zip(&nearest) {
@@ -82,13 +73,13 @@ impl<'a> Painter<'a> {
             canvas.fill(area, NOTHING);
         } else if left.len() == 1 && self.hits[0].is_some_and(|hit| hit.found.all()) {
             canvas.fill(area, left[0].primitive);
-        } else if area.x1 - area.x0 <= SMALLEST_BLOCK && area.y1 - area.y0 <= SMALLEST_BLOCK {
+        } else if area.is_within(SMALLEST_BLOCK) {
             self.paint_samples(area, first, canvas);
         } else {
             for part in area.quarters() {
                 let end = self.candidates.len();
                 for i in first..end {
-                    if part.meets(&self.candidates[i]) {
+                    if self.candidates[i].meets(&part) {
                         self.candidates.push(self.candidates[i]);
                     }
                 }
@@ -106,7 +97,7 @@ impl<'a> Painter<'a> {
         // Small primitives cannot cover the area; bounds on them rarely pay.
         self.hits.extend(self.candidates[first..].iter().map(|outline| {
             let primitive = &scene.primitives[outline.primitive as usize];
-            area.lies_within(outline).then(|| primitive.first_hit(&ray, Start::Elsewhere))
+            outline.contains(&area).then(|| primitive.first_hit(&ray, Start::Elsewhere))
         }));
         let covering = |hit: &Option<Hit<Taylor>>| hit.filter(|hit| hit.found.all());
         let greatest = |hit: &Hit<Taylor>| hit.t.range()[1];
@@ -130,11 +121,7 @@ impl<'a> Painter<'a> {
 
     /// The rays of all samples of an area.
     fn block_of_rays(&self, area: Area) -> Ray<Taylor> {
-        // Halves of small integers: exact.
-        let middle = |a: u32, b: u32| 0.5 * (f64::from(a) + f64::from(b - 1));
-        let half = |a: u32, b: u32| 0.5 * f64::from(b - 1 - a);
-        let x = Taylor::linear(middle(area.x0, area.x1), half(area.x0, area.x1), 0.0);
-        let y = Taylor::linear(middle(area.y0, area.y1), 0.0, half(area.y0, area.y1));
+        let [x, y] = area.coordinates();
         self.camera.ray(x, y)
     }
 
@@ -145,7 +132,7 @@ impl<'a> Painter<'a> {
         let mut nearest = [[NOTHING; SIDE]; SIDE];
         for outline in &self.candidates[first..] {
             let primitive = &self.scene.primitives[outline.primitive as usize];
-            let Some(part) = area.clipped(outline) else { continue };
+            let Some(part) = outline.clip(&area) else { continue };
             for y in part.y0..part.y1 {
                 for x in part.x0..part.x1 {
                     let ray = self.camera.ray(f64::from(x), f64::from(y));
@@ -187,37 +174,5 @@ impl Canvas<'_> {
             self.image.primitive[start..end].fill(primitive);
             self.image.surface[start..end].fill(surface);
         }
-    }
-}
-
-impl Area {
-    fn quarters(self) -> impl Iterator<Item = Self> {
-        let halves = |a: u32, b: u32| {
-            let middle = a + (b - a).div_ceil(2);
-            [[a, middle], [middle, b]]
-        };
-        let columns = halves(self.x0, self.x1);
-        halves(self.y0, self.y1)
-            .into_iter()
-            .flat_map(move |[y0, y1]| columns.map(|[x0, x1]| Self { x0, y0, x1, y1 }))
-            .filter(|part| part.x0 < part.x1 && part.y0 < part.y1)
-    }
-
-    fn meets(self, o: &Outline) -> bool {
-        o.x[0] < self.x1 && o.x[1] >= self.x0 && o.y[0] < self.y1 && o.y[1] >= self.y0
-    }
-
-    fn lies_within(self, o: &Outline) -> bool {
-        o.x[0] <= self.x0 && o.x[1] + 1 >= self.x1 && o.y[0] <= self.y0 && o.y[1] + 1 >= self.y1
-    }
-
-    fn clipped(self, o: &Outline) -> Option<Self> {
-        let part = Self {
-            x0: self.x0.max(o.x[0]),
-            y0: self.y0.max(o.y[0]),
-            x1: self.x1.min(o.x[1] + 1),
-            y1: self.y1.min(o.y[1] + 1),
-        };
-        (part.x0 < part.x1 && part.y0 < part.y1).then_some(part)
     }
 }

@@ -1,5 +1,6 @@
 //! The nouns that flow between the steps.
 
+mod area;
 mod block;
 mod grid;
 mod history;
@@ -8,6 +9,7 @@ mod prepared;
 mod stats;
 mod tile;
 
+pub(crate) use area::Area;
 pub(crate) use block::Block;
 pub use grid::SampleGrid;
 pub use history::RayHistory;

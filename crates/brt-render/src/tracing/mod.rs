@@ -3,16 +3,20 @@
 //! [`reference`] is the oracle: one plain recursion over all primitives. [`tracer`] is what methods use. Both share the
 //! primitives' predicates, [`interaction`] and [`illumination`], and give the same bits.
 
+mod bounding_spheres;
 mod first_seen;
 mod illumination;
 mod interaction;
+mod pencil;
 mod reference;
 mod search;
 mod shadow_space;
 mod tracer;
 
+pub(crate) use bounding_spheres::BoundingSpheres;
 pub use first_seen::FirstSeen;
 pub(crate) use interaction::Interaction;
+pub(crate) use pencil::PencilTracer;
 pub(crate) use reference::reference_sample;
-pub(crate) use shadow_space::ShadowSpace;
+pub(crate) use shadow_space::lights_surely_seen;
 pub(crate) use tracer::{FirstHit, Tracer};

@@ -1,7 +1,8 @@
 //! The chosen method with its settings; options of another method are refused.
 
 use brt::{
-    BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PixelSelectedSettings, VarianceDelta,
+    BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings, PixelSelectedSettings,
+    VarianceDelta,
 };
 
 use super::options::{MethodName, Options};
@@ -22,6 +23,10 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
         MethodName::Full => Method::Full,
         MethodName::ItemBuffer => Method::ItemBuffer,
         MethodName::ScanLine => Method::ScanLine,
+        MethodName::Pencil => Method::Pencil(PencilSettings {
+            block: paper.block.unwrap_or(PencilSettings::default().block),
+            tolerance: paper.tolerance.unwrap_or(PencilSettings::default().tolerance),
+        }),
         MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
             block,
             delta: DifferenceDelta(delta),
@@ -40,13 +45,14 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
 }
 
 fn check_belonging(method: MethodName, paper: &PaperOptions) -> Result<(), Failure> {
-    use MethodName::{Border, PixelSelected};
-    let given: [(&str, bool, &[MethodName]); 6] = [
+    use MethodName::{Border, Pencil, PixelSelected};
+    let given: [(&str, bool, &[MethodName]); 7] = [
         ("--delta", paper.delta.is_some(), &[Border, PixelSelected]),
         ("--judge", paper.judge.is_some(), &[Border]),
         ("--regions", paper.regions.is_some(), &[Border]),
         ("--history", paper.history.is_some(), &[Border, PixelSelected]),
-        ("--block", paper.block.is_some(), &[Border, PixelSelected]),
+        ("--block", paper.block.is_some(), &[Border, PixelSelected, Pencil]),
+        ("--tolerance", paper.tolerance.is_some(), &[Pencil]),
         ("--icps", paper.icps, &[PixelSelected]),
     ];
     for (option, is_given, methods) in given {

@@ -105,6 +105,8 @@ pub(crate) enum MethodName {
     ItemBuffer,
     /// Every sample, rays only where mirrors, glass or shadows need them (Tadamura, Nakamae, Nishita 1985)
     ScanLine,
+    /// Blocks of rays traced together, within a tolerance (Shinya, Takahashi, Naito 1987)
+    Pencil,
     /// Pixel-selected ray tracing (Akimoto, Mase 1986)
     PixelSelected,
     /// Border ray tracing (Hashimoto, Suenaga 1987)
@@ -119,6 +121,7 @@ impl MethodName {
             Self::Full => "full",
             Self::ItemBuffer => "item-buffer",
             Self::ScanLine => "scan-line",
+            Self::Pencil => "pencil",
             Self::PixelSelected => "pixel-selected",
             Self::Border => "border",
         }

@@ -12,6 +12,9 @@ pub(crate) struct PaperOptions {
     /// `pixel-selected` [default: 16]
     #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
     pub(crate) delta: Option<f64>,
+    /// Greatest error of a channel in levels of 255, linear, for `pencil` [default: 1]
+    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    pub(crate) tolerance: Option<f64>,
     /// How brightness is judged by `border` [default: deviation]
     #[arg(long, value_enum)]
     pub(crate) judge: Option<JudgeName>,
@@ -21,7 +24,7 @@ pub(crate) struct PaperOptions {
     /// When ray histories are the same, for `border` and `pixel-selected` [default: lit]
     #[arg(long, value_enum)]
     pub(crate) history: Option<HistoryName>,
-    /// Side of the first blocks in samples, for `border` and `pixel-selected` [default: 16]
+    /// Side of the first blocks in samples, for `border` and `pixel-selected` [default: 16], for `pencil` [default: 32]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=128))]
     pub(crate) block: Option<u32>,
     /// Iterative central point selection, for `pixel-selected`

@@ -67,6 +67,7 @@ fn method(method: &Method) -> String {
             Judge::Variance(delta) => format!("border Δ {} of variance", delta.0),
             Judge::Difference(delta) => format!("border Δ {} of difference", delta.0),
         },
+        Method::Pencil(settings) => format!("pencil, filled pixels within {} level(s)", settings.tolerance),
         others => others.name().to_owned(),
     }
 }

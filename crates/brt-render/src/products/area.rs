@@ -1,0 +1,61 @@
+//! Rectangles of samples that do not share sides.
+
+use brt_geometry::Taylor;
+
+/// A rectangle of samples, counted over the whole picture; `x1` and `y1` not included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Area {
+    pub(crate) x0: u32,
+    pub(crate) y0: u32,
+    pub(crate) x1: u32,
+    pub(crate) y1: u32,
+}
+
+impl Area {
+    /// Is neither side longer?
+    pub(crate) fn is_within(&self, side: u32) -> bool {
+        self.x1 - self.x0 <= side && self.y1 - self.y0 <= side
+    }
+
+    /// Its quarters; halves of a line, itself of a sample.
+    pub(crate) fn quarters(self) -> impl Iterator<Item = Self> {
+        let halves = |a: u32, b: u32| {
+            let middle = a + (b - a).div_ceil(2);
+            [[a, middle], [middle, b]]
+        };
+        let columns = halves(self.x0, self.x1);
+        halves(self.y0, self.y1)
+            .into_iter()
+            .flat_map(move |[y0, y1]| columns.map(|[x0, x1]| Self { x0, y0, x1, y1 }))
+            .filter(|part| part.x0 < part.x1 && part.y0 < part.y1)
+    }
+
+    /// Column and row of all its samples as models: from −1 at the first sample to 1 at the last.
+    pub(crate) fn coordinates(&self) -> [Taylor; 2] {
+        // Halves of small integers: exact.
+        let middle = |a: u32, b: u32| 0.5 * (f64::from(a) + f64::from(b - 1));
+        let half = |a: u32, b: u32| 0.5 * f64::from(b - 1 - a);
+        [
+            Taylor::linear(middle(self.x0, self.x1), half(self.x0, self.x1), 0.0),
+            Taylor::linear(middle(self.y0, self.y1), 0.0, half(self.y0, self.y1)),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarters_tile_an_area() {
+        let area = Area { x0: 3, y0: 5, x1: 8, y1: 6 };
+        let parts: Vec<Area> = area.quarters().collect();
+        assert_eq!(parts, [Area { x1: 6, ..area }, Area { x0: 6, ..area }]);
+    }
+
+    #[test]
+    fn coordinates_reach_from_the_first_sample_to_the_last() {
+        let [x, y] = Area { x0: 2, y0: 7, x1: 5, y1: 8 }.coordinates();
+        assert_eq!((x.c, x.u, y.c, y.v), (3.0, 1.0, 7.0, 0.0));
+    }
+}
