@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::commands::{compare, convert, formats, inspect, render, scene};
+use crate::commands::{compare, convert, formats, inspect, paper, render, scene};
 use crate::exit::{Failure, Outcome};
 
 /// Border ray tracing: noise-free stills whose cost grows with the borders in the picture, not with its pixels.
@@ -22,12 +22,14 @@ enum Command {
     Compare(compare::Options),
     /// Show what is in a scene and what was not understood
     Inspect(inspect::Options),
-    /// Rewrite any readable scene as TOML
+    /// Rewrite any readable scene as TOML, or for POV-Ray or Tachyon
     Convert(convert::Options),
     /// Write one of our named scenes, or list them
     Scene(scene::Options),
     /// List the formats that can be read and written
     Formats,
+    /// Measure every table and figure of the 1987 paper here, as one page
+    Paper(paper::Options),
 }
 
 /// Does what the command line asks for.
@@ -43,6 +45,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
         Command::Convert(options) => convert::run(&options),
         Command::Scene(options) => scene::run(&options),
         Command::Formats => formats::run(),
+        Command::Paper(options) => paper::run(&options),
     }
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod formats;
 pub(crate) mod inspect;
+pub(crate) mod paper;
 pub(crate) mod render;
 pub(crate) mod scene;
 mod text_file;
