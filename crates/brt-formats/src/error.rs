@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use brt_scene::{Diagnostic, Report, Severity};
 use thiserror::Error;
 
-use crate::LimitKind;
+use crate::{Format, LimitKind};
 
 /// Why a scene file could not be loaded.
 #[derive(Debug, Error)]
@@ -25,6 +25,14 @@ pub enum LoadError {
     UnknownFormat {
         /// The file.
         path: PathBuf,
+    },
+    /// The file's format is written for other programs, but not read.
+    #[error("{}: a {} can be written, but not read", path.display(), format.name())]
+    OnlyWritten {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        format: Format,
     },
     /// The file is not text in UTF-8, as its format demands.
     #[error("{}: not UTF-8 text from byte {position} on", path.display())]
@@ -58,6 +66,9 @@ pub enum LoadError {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ParseError {
+    /// The format is written for other programs, but not read.
+    #[error("a {} can be written, but not read", .0.name())]
+    OnlyWritten(Format),
     /// Not text in UTF-8, as the format demands.
     #[error("not UTF-8 text from byte {position} on")]
     NotUtf8 {
@@ -71,6 +82,11 @@ pub enum ParseError {
     #[error(transparent)]
     LimitExceeded(#[from] LimitExceeded),
 }
+
+/// The format can be read, but not written.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("a {} can be read, but not written", .0.name())]
+pub struct OnlyRead(pub Format);
 
 /// A file asks for more than the [`Limits`](crate::Limits) allow.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]

@@ -9,17 +9,23 @@ pub enum Format {
     Toml,
     /// Neutral File Format (Haines 1987), as the Standard Procedural Databases write it.
     Nff,
+    /// The scene description language of POV-Ray 3.7.
+    Pov,
+    /// The model files of the Tachyon ray tracer.
+    Dat,
 }
 
 impl Format {
     /// Every format, for listings.
-    pub const ALL: [Self; 2] = [Self::Toml, Self::Nff];
+    pub const ALL: [Self; 4] = [Self::Toml, Self::Nff, Self::Pov, Self::Dat];
 
     /// Name for people.
     pub fn name(self) -> &'static str {
         match self {
             Self::Toml => "TOML scene",
             Self::Nff => "Neutral File Format",
+            Self::Pov => "POV-Ray scene",
+            Self::Dat => "Tachyon scene",
         }
     }
 
@@ -28,17 +34,19 @@ impl Format {
         match self {
             Self::Toml => &["toml"],
             Self::Nff => &["nff"],
+            Self::Pov => &["pov"],
+            Self::Dat => &["dat"],
         }
     }
 
     /// Can it be read?
     pub fn reads(self) -> bool {
-        true
+        matches!(self, Self::Toml | Self::Nff)
     }
 
     /// Can it be written?
     pub fn writes(self) -> bool {
-        matches!(self, Self::Toml)
+        matches!(self, Self::Toml | Self::Pov | Self::Dat)
     }
 
     /// The format that a path's extension names, whatever its case.
@@ -48,7 +56,7 @@ impl Format {
     }
 
     /// The format that content looks like, by its first line that is neither blank nor a comment (both formats
-    /// comment with `#`).
+    /// that are read comment with `#`).
     pub fn from_content(bytes: &[u8]) -> Option<Self> {
         const COMMANDS: [&[u8]; 9] = [b"v", b"b", b"l", b"f", b"s", b"c", b"p", b"pp", b"from"];
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -70,6 +78,7 @@ mod tests {
     fn extension_decides_whatever_its_case() {
         assert_eq!(Format::from_path(Path::new("a/b.TOML")), Some(Format::Toml));
         assert_eq!(Format::from_path(Path::new("b.nff")), Some(Format::Nff));
+        assert_eq!(Format::from_path(Path::new("b.pov")), Some(Format::Pov));
         assert_eq!(Format::from_path(Path::new("toml")), None);
     }
 

@@ -5,6 +5,9 @@
 //! warning in the report, with its place in the file. Reading is bounded by [`Limits`], never recurses without
 //! bound, never panics, and prints nothing: whoever shows a report draws it over [`Loaded::text`].
 //!
+//! Scenes are written, too ([`write`]): exactly in our own format, and for other ray tracers as well as they can show
+//! them; what they cannot is a warning in the report.
+//!
 //! ```
 //! use brt_formats::{Format, Limits, parse, write_toml};
 //!
@@ -14,16 +17,23 @@
 //! assert_eq!(parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap().0, scene);
 //! ```
 
+mod dat;
 mod error;
 mod format;
 mod limits;
 mod load;
+mod losses;
 mod nff;
+mod numerals;
+mod pov;
 mod problems;
 mod toml;
+mod view;
+mod write;
 
-pub use error::{LimitExceeded, LoadError, ParseError};
+pub use error::{LimitExceeded, LoadError, OnlyRead, ParseError};
 pub use format::Format;
 pub use limits::{LimitKind, Limits};
 pub use load::{Loaded, load, parse};
 pub use toml::write_toml;
+pub use write::{Written, write};

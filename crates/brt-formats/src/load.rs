@@ -48,6 +48,7 @@ pub fn parse(format: Format, bytes: &[u8], limits: &Limits) -> Result<(Scene, Re
     match format {
         Format::Toml => toml::read(bytes, limits),
         Format::Nff => nff::read(bytes, limits),
+        Format::Pov | Format::Dat => Err(ParseError::OnlyWritten(format)),
     }
 }
 
@@ -80,6 +81,7 @@ fn may_wait_for_ever(_: &Path, _: &fs::Metadata) -> bool {
 fn with_path(error: ParseError, path: &Path, bytes: Vec<u8>) -> LoadError {
     let path = path.to_owned();
     match error {
+        ParseError::OnlyWritten(format) => LoadError::OnlyWritten { path, format },
         ParseError::NotUtf8 { position } => LoadError::NotUtf8 { path, position },
         ParseError::Malformed(report) => LoadError::Malformed { path, report, text: text_of(bytes) },
         ParseError::LimitExceeded(LimitExceeded { what, limit }) => {

@@ -1,13 +1,14 @@
-//! `brt convert`: any scene that can be read, as TOML.
+//! `brt convert`: any scene that can be read, as TOML or for another ray tracer.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use brt::{Format, write_toml};
+use brt::{Format, Written, write};
 use clap::Args;
 
 use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::scene_input::{self, LimitOptions, check_distinct, is_dash};
+use crate::{diagnostics, output, values};
 
 /// Options of `brt convert`.
 #[derive(Debug, Args)]
@@ -15,9 +16,12 @@ pub(crate) struct Options {
     /// Scene file; `-` reads TOML from standard input
     #[arg(value_name = "IN")]
     input: PathBuf,
-    /// TOML file to write; `-` for standard output
-    #[arg(value_name = "OUT.toml")]
+    /// File to write, .toml, .pov (POV-Ray) or .dat (Tachyon); `-` for TOML on standard output
+    #[arg(value_name = "OUT")]
     output: PathBuf,
+    /// Picture size that .pov and .dat are written for [default: the scene's, else 1024x1024]
+    #[arg(short, long, value_name = "WxH", value_parser = values::size)]
+    size: Option<[u32; 2]>,
     /// Options that bound the scene
     #[command(flatten)]
     limits: LimitOptions,
@@ -25,19 +29,40 @@ pub(crate) struct Options {
 
 /// Converts a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let Options { input, output, limits } = options;
-    check_toml_name(output)?;
-    check_distinct(input, std::slice::from_ref(output))?;
-    let input = scene_input::read(input, &limits.limits(u64::MAX))?;
+    let Options { input, output: path, size, limits } = options;
+    let format = written_format(path)?;
+    check_distinct(input, std::slice::from_ref(path))?;
+    let mut input = scene_input::read(input, &limits.limits(u64::MAX))?;
     input.show_warnings();
-    TextFile::open(output)?.write(&write_toml(&input.scene))?;
+    input.scene.size = size.or(input.scene.size);
+    let Written { text, report } = write(format, &input.scene)?;
+    TextFile::open(path)?.write(&text)?;
+    if !report.diagnostics.is_empty() {
+        output::drawn(&diagnostics::draw(&report, &path.display().to_string(), ""));
+    }
     Ok(Outcome::Done)
 }
 
-/// Refuses file names of other formats.
-pub(super) fn check_toml_name(path: &std::path::Path) -> Result<(), Failure> {
-    if is_dash(path) || Format::from_path(path).is_some_and(Format::writes) {
+/// The format that a file's name asks for; refuses those that are not written.
+fn written_format(path: &Path) -> Result<Format, Failure> {
+    if is_dash(path) {
+        return Ok(Format::Toml);
+    }
+    Format::from_path(path).filter(|format| format.writes()).ok_or_else(|| {
+        wrong_use(format!(
+            "{}: not the name of a scene that can be written, expected `.toml`, `.pov` or `.dat`",
+            path.display()
+        ))
+    })
+}
+
+/// Refuses file names of other formats than ours.
+pub(super) fn check_toml_name(path: &Path) -> Result<(), Failure> {
+    if is_dash(path) || Format::from_path(path) == Some(Format::Toml) {
         return Ok(());
     }
-    Err(wrong_use(format!("{}: scenes are written as TOML, expected a name with `.toml`", path.display())))
+    Err(wrong_use(format!(
+        "{}: our scenes are written as TOML, expected a name with `.toml`",
+        path.display()
+    )))
 }

@@ -7,6 +7,8 @@ use brt_geometry::Vec3;
 use brt_image::Rgb;
 use brt_scene::{Axis, Camera, Highlight, Light, Material, Mesh, Object, Projection, Scene, Shape};
 
+use crate::numerals::{joined, number};
+
 /// The scene as text in our own format.
 ///
 /// For every scene whose check finds nothing, reading the text gives an equal scene; only materials that share
@@ -221,32 +223,8 @@ fn push(out: &mut String, text: std::fmt::Arguments) {
     let _ = out.write_fmt(text);
 }
 
-/// The shortest digits that read back exactly; whole numbers without a point.
-fn push_number(out: &mut String, x: f64) {
-    /// Up to here a double that is whole has few digits and stands for itself.
-    const GREATEST_WHOLE: f64 = 1_000_000_000_000_000.0;
-    let is_minus_zero = x == 0.0 && x.is_sign_negative();
-    if x.fract() == 0.0 && x.abs() < GREATEST_WHOLE && !is_minus_zero {
-        push(out, format_args!("{}", x as i64));
-    } else {
-        push(out, format_args!("{x:?}"));
-    }
-}
-
 fn push_vector(out: &mut String, v: Vec3) {
-    out.push('[');
-    push_number(out, v.x);
-    out.push_str(", ");
-    push_number(out, v.y);
-    out.push_str(", ");
-    push_number(out, v.z);
-    out.push(']');
-}
-
-fn number(x: f64) -> String {
-    let mut out = String::new();
-    push_number(&mut out, x);
-    out
+    push(out, format_args!("[{}]", joined(v, ", ")));
 }
 
 fn vector(v: Vec3) -> String {
