@@ -154,7 +154,12 @@ impl Grid {
         let plane = |cell: usize| self.lo[axis] + cell as f64 * self.cell[axis];
         let (a, b) = (plane(from) - ray.origin[axis], plane(to) - ray.origin[axis]);
         let direction = ray.direction[axis];
-        if direction < 0.0 { [b / direction, a / direction] } else { [a / direction, b / direction] }
+        // By its sign, for the distances of -0.0 are those of a backward ray.
+        if direction.is_sign_negative() {
+            [b / direction, a / direction]
+        } else {
+            [a / direction, b / direction]
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! Every predicate (hit, order, inside) stands here once, generic over [`Real`].
 //!
-//! This page owns every tolerance of the project; no other file may contain one. None of them takes part in the
-//! decision whether a ray hits: a ray that leaves a primitive skips the root at its origin instead of an epsilon.
+//! This page owns every tolerance of the project; no other file may contain one. A ray that leaves a primitive skips the
+//! root at its origin instead of an epsilon.
 
 mod aabb;
 mod bvh;
@@ -31,7 +31,8 @@ pub use taylor::{Taylor, Trilean};
 pub use triangulate::{is_convex, triangulate};
 pub use vec3::{Vec3, vec3};
 
-/// Directions closer than this (in radians) count as parallel when a scene is checked.
+/// Directions closer than this (in radians) count as parallel: when a scene is checked, and of a ray along a flat
+/// primitive, where distances and edge functions are nothing but rounding.
 pub const SMALLEST_ANGLE: f64 = 1e-9;
 
 /// Points of a polygon may be off its plane by this share of the polygon's size: files round to about six digits.
@@ -53,3 +54,6 @@ pub const FARTHEST: f64 = 1e300;
 
 /// Distances along a grid's walk are taken shorter by this share, more than their rounding.
 pub const WALK_MARGIN: f64 = 1e-9;
+
+/// Rounding of coordinates relative to their magnitude, generously.
+pub const COORDINATE_ROUNDING: f64 = 1e-12;

@@ -48,6 +48,7 @@ fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<Strin
         with(Method::Reference, Accelerator::Bvh),
         with(Method::Full, Accelerator::None),
         with(Method::Full, Accelerator::Extents),
+        with(Method::Full, Accelerator::Grid),
         with(Method::ItemBuffer, Accelerator::Bvh),
         with(Method::ScanLine, Accelerator::Bvh),
     ];

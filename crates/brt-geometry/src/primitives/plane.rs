@@ -1,6 +1,6 @@
 //! Infinite planes.
 
-use crate::{Hit, Mask, Ray, Real, Start, Vec3};
+use crate::{Hit, Mask, Ray, Real, SMALLEST_ANGLE, Start, Vec3};
 
 /// All points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,5 +26,14 @@ impl Plane {
         let n = self.normal.lift();
         let ahead = R::constant(self.distance) - n.dot(ray.origin);
         Hit::at(ahead / n.dot(ray.direction), R::Mask::TRUE)
+    }
+
+    /// The nearest hit ahead with a flat piece of the plane: rays along it meet its edge at most, and miss.
+    #[inline(always)]
+    pub(super) fn first_hit_of_part<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
+        let hit = self.first_hit(ray, start);
+        let facing = self.normal.lift().dot(ray.direction);
+        let crosses = (facing * facing).gt(R::constant(SMALLEST_ANGLE * SMALLEST_ANGLE) * ray.dd);
+        Hit { found: hit.found & crosses, t: hit.t }
     }
 }

@@ -1,6 +1,6 @@
 //! Where on the picture a primitive can be at most.
 
-use brt_geometry::{PROJECTION_MARGIN, Primitive, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, PROJECTION_MARGIN, Primitive, Vec3};
 
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, PreparedScene, SampleGrid};
@@ -139,11 +139,12 @@ struct Seen {
 impl Seen {
     fn new(point: Vec3, camera: &PreparedCamera) -> Self {
         let p = point - camera.eye;
+        let size = |v: Vec3| v.x.abs() + v.y.abs() + v.z.abs();
         Self {
             right: p.dot(camera.right),
             down: -p.dot(camera.up),
             depth: p.dot(camera.forward),
-            margin: PROJECTION_MARGIN * (p.x.abs() + p.y.abs() + p.z.abs()),
+            margin: PROJECTION_MARGIN * size(p) + COORDINATE_ROUNDING * (size(point) + size(camera.eye)),
         }
     }
 

@@ -123,7 +123,7 @@ impl PencilTracer<'_> {
         let mut is_certain = true;
         for (count, id) in self.spheres.touched_by(&shadow_bundle(&ball, end)).enumerate() {
             let primitive = &self.scene.primitives[id as usize];
-            if !self.scene.infos[id as usize].casts_shadow || is_beside(primitive, &ball, end) {
+            if !self.scene.infos[id as usize].casts_shadow || is_beside(primitive, &ball, light) {
                 continue;
             }
             let hit = primitive.first_hit(&ray, start(id, patch.primitive));

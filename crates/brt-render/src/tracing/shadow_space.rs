@@ -22,7 +22,7 @@ pub(crate) fn lights_surely_seen(
         let hides = |id: u32| {
             let primitive = &scene.primitives[id as usize];
             let itself = id == on && hides_nothing_itself(primitive, points, end);
-            scene.infos[id as usize].casts_shadow && !itself && !is_beside(primitive, &patch, end)
+            scene.infos[id as usize].casts_shadow && !itself && !is_beside(primitive, &patch, light)
         };
         if !spheres.touched_by(&shadow_bundle(&patch, end)).any(hides) {
             seen |= 1 << bit;
@@ -66,13 +66,22 @@ fn hides_nothing_itself(primitive: &Primitive, points: &[(Vec3, Vec3)], light: V
     }
 }
 
-/// Do a patch and a light lie on one side of a flat primitive?
-pub(super) fn is_beside(primitive: &Primitive, patch: &Ball, end: Vec3) -> bool {
+/// Do a patch and all ways from it to a light lie on one side of a flat primitive?
+pub(super) fn is_beside(primitive: &Primitive, patch: &Ball, light: &PreparedLight) -> bool {
     let Some(plane) = plane_of(primitive) else { return false };
     let height = |p: Vec3| plane.normal.dot(p) - plane.distance;
-    let (a, b) = (height(patch.center), height(end));
-    let margin = patch.radius + BOX_MARGIN * (patch.center.length() + end.length() + plane.distance.abs());
-    a.abs() > margin && b.abs() > margin && (a > 0.0) == (b > 0.0)
+    let size = |p: Vec3| p.length() + plane.distance.abs();
+    let here = height(patch.center);
+    // A light far away is approached for ever: what counts is whether that leads to the plane.
+    let (there, scale) = match light {
+        PreparedLight::Point { position, .. } => (height(*position), size(*position)),
+        PreparedLight::Directional { towards, .. } => {
+            return here.abs() > patch.radius + BOX_MARGIN * size(patch.center)
+                && plane.normal.dot(*towards) * here >= 0.0;
+        }
+    };
+    let margin = patch.radius + BOX_MARGIN * (size(patch.center) + scale);
+    here.abs() > margin && there.abs() > margin && (here > 0.0) == (there > 0.0)
 }
 
 fn plane_of(primitive: &Primitive) -> Option<&Plane> {

@@ -1,0 +1,96 @@
+//! Mistakes that random scenes found, each as the scene that shows it.
+
+use brt_geometry::vec3;
+use brt_image::rgb;
+use brt_render::{Accelerator, BorderSettings, HistoryKind, Layer, Method, Run, Settings};
+use brt_scene::{Light, Material, Mesh, Scene, Shape};
+use brt_testkit::{Rendered, looking, render_with_layers};
+
+fn rendered(scene: &Scene, method: Method, size: [u32; 2]) -> Rendered {
+    assert_eq!(scene.check(), []);
+    let layers = vec![Layer::History];
+    let settings = Settings { method, layers, history: HistoryKind::Lit, ..Settings::new(size) };
+    render_with_layers(scene, &settings, &Run { threads: 1, ..Run::default() })
+}
+
+fn differing(a: &Rendered, b: &Rendered) -> usize {
+    a.colors.iter().zip(&b.colors).filter(|(a, b)| a != b).count()
+}
+
+/// The eye exactly on a corner of a triangle that is otherwise behind it: the predicate finds a hit at a distance of
+/// one rounding, so the outline must not say "behind".
+#[test]
+fn the_eye_on_a_corner_of_what_is_behind_it_sees_what_rays_see() {
+    let mut seen_by_rays_only = 0;
+    for step in 0..40 {
+        let eye = vec3(0.1 * f64::from(step), 2.0e6 / 3.0, 0.7);
+        let mut scene = Scene::new(looking(eye.into(), (eye + vec3(0.3, -1.0, 0.1)).into(), 40.0));
+        scene.camera.up = vec3(0.0, 0.0, 1.0);
+        scene.background = rgb(0.5, 0.5, 0.5);
+        let dark = scene.add_material(Material::matte("m", rgb(0.0, 0.0, 0.0)));
+        let positions = vec![eye, eye + vec3(0.3, 0.9, 0.2), eye + vec3(-0.4, 0.8, 0.1)];
+        scene.add(Shape::Mesh(Mesh { positions, normals: Vec::new(), triangles: vec![[0, 1, 2]] }), dark);
+        let full = rendered(&scene, Method::Full, [8, 8]);
+        let border = Method::Border(BorderSettings { block: 1, ..BorderSettings::default() });
+        seen_by_rays_only += usize::from(differing(&full, &rendered(&scene, border, [8, 8])) > 0);
+    }
+    assert_eq!(seen_by_rays_only, 0, "of 40 views");
+}
+
+/// Shadow rays that run within a wall's plane: where they meet it would be 0/0 and edge functions
+/// noise, so they miss.
+#[test]
+fn a_light_in_the_plane_of_a_wall_of_triangles_never_shadows_it() {
+    let mut by_chance = 0;
+    for step in 0..40 {
+        let angle = 0.02 + 0.037 * f64::from(step);
+        let along = vec3(angle.cos(), 0.0, angle.sin());
+        let mut scene =
+            Scene::new(looking([0.0, 0.0, 0.0], (along.cross(vec3(0.0, 1.0, 0.0)) * 3.0).into(), 60.0));
+        let wall = scene.add_material(Material::matte("wall", rgb(1.0, 1.0, 1.0)));
+        let at = |x: f64, y: f64| along.cross(vec3(0.0, 1.0, 0.0)) * 3.0 + along * x + vec3(0.0, y, 0.0);
+        let outline = vec![at(-2.0, -2.0), at(2.0, -2.0), at(2.0, 2.0), at(0.0, 0.5), at(-2.0, 2.0)];
+        scene.add(Shape::Polygon { outline, holes: Vec::new() }, wall);
+        let direction = vec3(0.0, -1.0, 0.0) + along * 0.3;
+        scene.lights.push(Light::Directional { direction, color: rgb(1.0, 1.0, 1.0) });
+        let full = rendered(&scene, Method::Full, [32, 32]);
+        let mut plain = full.history.clone();
+        plain.sort_unstable();
+        plain.dedup();
+        // Background and wall are two; a third is a wall that shadows itself.
+        by_chance += usize::from(plain.len() > 2);
+    }
+    assert_eq!(by_chance, 0, "of 40 walls");
+}
+
+/// Rays along an axis with zeros of both signs: for −0 the far side of a slab must not be taken for the near one.
+#[test]
+fn the_grid_keeps_the_shadow_of_a_light_along_an_axis() {
+    let mut scene = Scene::new(looking([0.5, 0.3, 5.0], [0.0, 0.0, 0.0], 40.0));
+    let material = scene.add_material(Material::matte("m", rgb(1.0, 1.0, 1.0)));
+    for x in [-0.4, 0.0, 0.4, 0.8] {
+        scene.add(Shape::Sphere { center: vec3(x, 0.0, -0.5), radius: 0.3 }, material);
+        scene.add(Shape::Sphere { center: vec3(x, 0.0, 0.5), radius: 0.2 }, material);
+    }
+    scene.lights.push(Light::Directional { direction: vec3(0.0, 0.0, -1.0), color: rgb(1.0, 1.0, 1.0) });
+    let picture = |accelerator| {
+        let settings = Settings { accelerator, ..Settings::new([60, 40]) };
+        render_with_layers(&scene, &settings, &Run::default())
+    };
+    let lost = differing(&picture(Accelerator::Bvh), &picture(Accelerator::Grid));
+    assert_eq!(lost, 0);
+}
+
+/// A plane that a directional light's rays meet beyond the end of the space that is looked at.
+#[test]
+fn the_scan_line_method_keeps_the_shadow_of_a_plane_far_away() {
+    let mut scene = Scene::new(looking([0.0, 0.0, 5.0], [0.0, 0.0, 0.0], 30.0));
+    let material = scene.add_material(Material::matte("m", rgb(1.0, 1.0, 1.0)));
+    scene.add(Shape::Sphere { center: vec3(0.0, 0.0, 0.0), radius: 0.8 }, material);
+    // The light comes nearly along the plane, from behind it.
+    scene.add(Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: 3.0 }, material);
+    scene.lights.push(Light::Directional { direction: vec3(0.0, -0.1, -1.0), color: rgb(1.0, 1.0, 1.0) });
+    let size = [60, 40];
+    let (full, scan_line) = (rendered(&scene, Method::Full, size), rendered(&scene, Method::ScanLine, size));
+    assert_eq!(differing(&full, &scan_line), 0);
+}
