@@ -54,6 +54,8 @@ pub(crate) enum Dash {
     Solid,
     Broken,
     Dotted,
+    /// Markers alone.
+    None,
 }
 
 /// What stands at the points of a line.
@@ -182,12 +184,15 @@ fn drawn(line: &Line, x: &Scale, y: &Scale) -> String {
 }
 
 fn path(places: &[(f64, f64)], look: Look) -> String {
+    if look.dash == Dash::None {
+        return String::new();
+    }
     let mut d = String::new();
     for (i, (x, y)) in places.iter().enumerate() {
         let _ = write!(d, "{}{x:.1} {y:.1}", if i == 0 { 'M' } else { 'L' });
     }
     let dash = match look.dash {
-        Dash::Solid => "",
+        Dash::Solid | Dash::None => "",
         Dash::Broken => " stroke-dasharray=\"8 5\"",
         Dash::Dotted => " stroke-dasharray=\"2 4\"",
     };
@@ -215,6 +220,16 @@ fn marker((x, y): (f64, f64), look: Look) -> String {
             y - 4.0
         ),
     }
+}
+
+/// A power of N as text: `N¹·⁹⁸`.
+pub(crate) fn power_of_n(exponent: f64) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '.' => '·',
+        digit => digit.to_digit(10).map_or(digit, |d| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize]),
+    };
+    format!("N{}", format!("{exponent:.2}").chars().map(raised).collect::<String>())
 }
 
 /// Text inside an element or attribute.

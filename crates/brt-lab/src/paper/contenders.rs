@@ -1,8 +1,8 @@
 //! The methods and accelerators that are compared. What is built later gets its line here.
 
 use brt::{
-    Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PixelSelectedSettings,
-    Regions, VarianceDelta,
+    Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
+    PixelSelectedSettings, Regions, VarianceDelta,
 };
 
 /// The threshold of Figs. 1–4, in levels. Paper: P7.
@@ -93,7 +93,9 @@ pub(crate) const METHODS: [FamilyMethod; 6] = [
         family: Family::Interpolation,
         method: Some(|| Selection::Deviation.method(DELTA)),
     },
-    FamilyMethod { name: "pencil", family: Family::Interpolation, method: None },
+    FamilyMethod { name: "pencil",
+        family: Family::Interpolation,
+        method: Some(|| Method::Pencil(PencilSettings::default())) },
     FamilyMethod { name: "item-buffer", family: Family::Hybrid, method: Some(|| Method::ItemBuffer) },
     FamilyMethod { name: "scan-line", family: Family::Hybrid, method: Some(|| Method::ScanLine) },
 ];

@@ -52,6 +52,9 @@ impl Findings {
         match found[..] {
             [] => "–".to_owned(),
             [(name, value)] => data(name, value, decimals),
+            [(low, a), .., (_, b)] if format!("{a:.decimals$}") == format!("{b:.decimals$}") => {
+                data(low, a, decimals)
+            }
             [(low, a), .., (high, b)] => format!("{} to {}", data(low, a, decimals), data(high, b, decimals)),
         }
     }

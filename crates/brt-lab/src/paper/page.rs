@@ -94,11 +94,8 @@ fn class(outcome: Outcome) -> &'static str {
 }
 
 fn section(figure: &Figure) -> String {
-    let layout = match figure.parts.first() {
-        Some(part) if part.starts_with("<figure") => "parts pictures",
-        Some(part) if part.starts_with("<div") => "parts wide",
-        _ => "parts",
-    };
+    // Tables and sheets take the width they need; charts share it.
+    let layout = if figure.parts.iter().all(|part| part.starts_with("<div")) { "parts wide" } else { "parts" };
     format!(
         "<h2 id=\"{}\">{}</h2>\n<p class=\"says\"><b>The paper:</b> {}</p>\n<div class=\"{layout}\">\n{}</div>\n\
          <p>{}</p>\n<p class=\"says\">Numbers: <a href=\"{table}.csv\">{table}.csv</a></p>\n",

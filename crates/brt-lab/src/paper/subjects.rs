@@ -109,7 +109,7 @@ pub(crate) fn small_balls() -> (Scene, Vec<SmallBall>) {
         for column in 0..BALLS_ALONG {
             let (x, y) = (f64::from(16 * column + 4), f64::from(16 * row + 4));
             let shift = 0.25 * f64::from(row);
-            let radius = 1.5 + 0.5 * f64::from(column);
+            let radius = 1.5 + 0.75 * f64::from(column);
             let center = vec3(x + 0.5 + shift - half, half - (y + 0.5), 0.0);
             scene.add(Shape::Sphere { center, radius }, shiny);
             balls.push(SmallBall { radius, shift });
@@ -119,9 +119,9 @@ pub(crate) fn small_balls() -> (Scene, Vec<SmallBall>) {
 }
 
 /// Side of the picture of [`small_balls`] in pixels.
-pub(crate) const SMALL_BALLS_SIDE: u32 = 80;
+pub(crate) const SMALL_BALLS_SIDE: u32 = 64;
 /// Balls in a row.
-const BALLS_ALONG: u32 = 5;
+const BALLS_ALONG: u32 = 4;
 
 /// One of the small balls; the position in the list is its surface.
 #[derive(Clone, Copy, Debug)]

@@ -87,13 +87,20 @@ impl Scale<'_> {
         values.into_iter().map(|(value, text)| (self.place(value), text)).collect()
     }
 
-    /// 1, 2, 5 of each decade, or 1 only where there are many.
+    /// 1 of each decade, with as many more as it takes to show three numbers.
     fn powers(&self) -> Vec<f64> {
-        let digits: &[f64] = if self.hi - self.lo > 2.2 { &[1.0] } else { &[1.0, 2.0, 5.0] };
-        (self.lo.floor() as i32..=self.hi.ceil() as i32)
-            .flat_map(|decade| digits.iter().map(move |digit| digit * 10_f64.powi(decade)))
-            .filter(|value| (self.lo..=self.hi).contains(&value.log10()))
-            .collect()
+        const DIGITS: [&[f64]; 4] =
+            [&[1.0], &[1.0, 2.0, 5.0], &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0], &[
+                1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0,
+            ]];
+        let inside = |digits: &[f64]| -> Vec<f64> {
+            (self.lo.floor() as i32..=self.hi.ceil() as i32)
+                .flat_map(|decade| digits.iter().map(move |digit| digit * 10_f64.powi(decade)))
+                .filter(|value| (self.lo..=self.hi).contains(&value.log10()))
+                .collect()
+        };
+        let enough = DIGITS.iter().map(|digits| inside(digits)).find(|values| values.len() >= 3);
+        enough.unwrap_or_else(|| inside(DIGITS[3]))
     }
 
     /// Four to nine multiples of 1, 2 or 5.

@@ -8,7 +8,7 @@ use crate::paper::contenders::{ACCELERATORS, Family, FamilyMethod, METHODS};
 use crate::paper::findings::Findings;
 use crate::paper::fit::exponent;
 use crate::paper::lab::{Lab, square};
-use crate::paper::picture::traced_percent;
+use crate::paper::picture::{traced_percent, unrounded_error};
 use crate::paper::subjects::{Subject, Subjects};
 use crate::paper::table::Table;
 use crate::plot::{Axis, Chart, Dash, Line, Look, Marker};
@@ -100,26 +100,34 @@ fn note(names: &[String], largest: u32, findings: &mut Findings) {
     }
 }
 
-/// Space divisions and hybrids must give the very picture of full ray tracing.
+/// Space divisions and hybrids must give the very picture of full ray tracing, pencils one within their tolerance.
 fn exactness(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<(), PaperError> {
     let size = lab.size_up_to(256);
-    let mut table = Table::new("exactness", &["scene", "method", "accelerator", "differing_pixels"]);
+    let columns = ["scene", "method", "accelerator", "differing_pixels", "greatest_error_levels"];
+    let mut table = Table::new("exactness", &columns);
+    let (mut differing_pixels, mut pencil_error) = (0, 0.0_f64);
     for subject in &subjects.main {
         let full = lab.picture(&subject.scene, &square(size, Method::Full))?;
         for (name, accelerator) in ACCELERATORS {
             let Some(accelerator) = accelerator else { continue };
-            for (m, method) in built().filter(|(m, _)| m.family != Family::Interpolation) {
+            for (m, method) in built() {
                 let picture = lab.picture(&subject.scene, &Settings { accelerator, ..square(size, method) })?;
                 let bits = |c: &[f32; 3]| c.map(f32::to_bits);
                 let differing =
                     full.colors.iter().zip(&picture.colors).filter(|(a, b)| bits(a) != bits(b)).count();
-                table.push([(&subject.name).into(), m.name.into(), name.into(), differing.into()]);
+                let greatest = unrounded_error(&picture.colors, &full.colors).max_error;
+                if m.family != Family::Interpolation {
+                    differing_pixels += differing;
+                } else if m.name == "pencil" {
+                    pencil_error = pencil_error.max(greatest);
+                }
+                table.push([(&subject.name).into(), m.name.into(), name.into(), differing.into(), greatest.into()]);
             }
         }
     }
-    let differing = table.points(&[], "differing_pixels", "differing_pixels").iter().map(|p| p.0).sum();
     findings.add(table);
-    findings.note("exactness", "exact-families/differing-pixels", Some(differing));
+    findings.note("exactness", "exact-families/differing-pixels", Some(differing_pixels as f64));
+    findings.note("exactness", "pencil/greatest-error", Some(pencil_error));
     Ok(())
 }
 
@@ -148,8 +156,10 @@ fn figure(subjects: &Subjects, sizes: &[u32], findings: &Findings) -> Figure {
         parts,
         caption: format!(
             "Charts show each method without acceleration and each structure under RT; the table has the exponents of \
-             time of all pairs. Space divisions and hybrids differ from RT in {} pixels.{missing}",
-            findings.show("exact-families/differing-pixels", 0)
+             time of all pairs. Space divisions and hybrids differ from RT in {} pixels; \
+             pencils, with a tolerance of 1 level, by {} levels at most.{missing}",
+            findings.show("exact-families/differing-pixels", 0),
+            findings.show("pencil/greatest-error", 2)
         ),
         table: "families",
     }

@@ -11,7 +11,7 @@ use crate::paper::lab::{Lab, Timing, square};
 use crate::paper::picture::traced_percent;
 use crate::paper::subjects::{Subject, Subjects};
 use crate::paper::table::Table;
-use crate::plot::{Axis, Chart, Dash, Line, Look, Marker};
+use crate::plot::{Axis, Chart, Dash, Line, Look, Marker, power_of_n};
 
 /// The methods of Figs. 1 and 2 in tables and in the paper's words.
 const METHODS: [(&str, &str); 3] = [("full", "RT"), ("border", "BRT"), ("pixel-selected", "PSRT")];
@@ -37,7 +37,7 @@ pub(super) fn fig1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
         let line = |(color, subject, (method, short)): (usize, &Subject, &(&str, &str))| {
             let k = findings.number(&format!("time-exponent/{method}/{}/{accelerator}", subject.name));
             Line {
-                name: format!("{} {short}{}", subject.name, k.map_or(String::new(), |k| format!(", N^{k:.2}"))),
+                name: format!("{} {short}{}", subject.name, k.map_or(String::new(), |k| format!(", {}", power_of_n(k)))),
                 points: points(findings, "fig1", subject, accelerator, method, "relative_time"),
                 look: look(color, method),
             }

@@ -13,7 +13,7 @@ use crate::paper::table::Table;
 
 const SHOWN: [Selection; 2] = [Selection::Deviation, Selection::Psrt];
 /// Each pixel is shown this many pixels wide.
-const MAGNIFIED: u32 = 3;
+const MAGNIFIED: u32 = 4;
 /// A highlight is lost if the ball's brightest pixel is darker by more than this many levels.
 const LOST_LEVELS: f64 = 10.0;
 
@@ -25,7 +25,7 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
         ..square(SMALL_BALLS_SIDE, method)
     };
     let full = lab.picture(&scene, &settings(Method::Full))?;
-    let mut parts = vec![shown("full", &full.colors)?];
+    let mut cells = vec![shown("full", &full.colors)?];
     let columns = ["ball", "radius_px", "shift_px", "method", "brightest_full", "brightest", "highlight_lost", "ball_lost"];
     let mut table = Table::new("fig7", &columns);
     for selection in SHOWN {
@@ -54,9 +54,9 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
         findings.note("fig7", format!("highlights-lost/{}", selection.key()), Some(f64::from(lost[0])));
         findings.note("fig7", format!("balls-lost/{}", selection.key()), Some(f64::from(lost[1])));
         let name = if selection == Selection::Psrt { "PSRT" } else { "border" };
-        parts.push(shown(name, &picture.colors)?);
-        parts.push(shown(&format!("{name}: difference"), &difference_map(&picture.colors, &full.colors))?);
-        parts.push(shown(&format!("{name}: traced"), &picture.traced_map())?);
+        cells.push(shown(name, &picture.colors)?);
+        cells.push(shown(&format!("{name}: difference"), &difference_map(&picture.colors, &full.colors))?);
+        cells.push(shown(&format!("{name}: traced"), &picture.traced_map())?);
     }
     findings.add(table);
     findings.note("fig7", "balls", Some(balls.len() as f64));
@@ -65,9 +65,9 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
         heading: "Fig. 7: the lost highlight on very small balls".to_owned(),
         paper: "Four rays hit one very small ball, happen to be equally bright, the histories agree, and the highlight between \
                 them is lost. Every method that judges by brightness and history alone has this flaw.",
-        parts,
+        parts: vec![sheet(&cells)],
         caption: format!(
-            "{} balls of 1.5 to 3.5 pixels' radius, lit from the eye, each pixel shown {MAGNIFIED} wide; differences from \
+            "{} balls of 1.5 to 3.75 pixels' radius, lit from the eye, each pixel shown {MAGNIFIED} wide; differences from \
              full ray tracing: black 0, violet 1 level, then red to yellow. Border ray tracing loses {} highlights and \
              {} balls, PSRT {} highlights and {} balls.",
             findings.show("balls", 0),
@@ -82,7 +82,16 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
 
 fn shown(name: &str, colors: &[[f32; 3]]) -> Result<String, PaperError> {
     let image = image_element(colors, SMALL_BALLS_SIDE, MAGNIFIED * SMALL_BALLS_SIDE, name)?;
-    Ok(format!("<figure>{image}<figcaption>{name}</figcaption></figure>"))
+    Ok(format!("<td>{image}<br>{name}</td>"))
+}
+
+/// The full picture, and beside it a row for each method.
+fn sheet(cells: &[String]) -> String {
+    let rows = cells[1..].chunks(3).enumerate().map(|(i, row)| {
+        let first = if i == 0 { cells[0].clone() } else { "<td></td>".to_owned() };
+        format!("<tr>{first}{}</tr>", row.concat())
+    });
+    format!("<div class=\"scroll\"><table class=\"sheet\"><tbody>{}</tbody></table></div>", rows.collect::<String>())
 }
 
 /// How many of the small things in `adversary` are lost: more than half of their pixels are wrong.

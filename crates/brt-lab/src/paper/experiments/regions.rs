@@ -87,15 +87,17 @@ fn sweep(lab: &Lab, subject: &Subject) -> Result<(Vec<Curve>, Vec<(f64, f64)>), 
 
 fn chart(table: &Table, names: &[String]) -> Chart {
     let looks = [
-        Look::new(4, Dash::Dotted, Marker::Ring),
-        Look::new(4, Dash::Dotted, Marker::Diamond),
-        Look::new(0, Dash::Broken, Marker::Triangle),
-        Look::new(0, Dash::Broken, Marker::Disc),
+        Look::new(1, Dash::None, Marker::Ring),
+        Look::new(4, Dash::None, Marker::Diamond),
+        Look::new(2, Dash::None, Marker::Triangle),
+        Look::new(0, Dash::None, Marker::Disc),
     ];
-    let points = |variant: &str| {
-        let of = |(i, scene): (usize, &String)| {
-            let fields = [("scene", scene.as_str()), ("variant", variant)];
-            table.number(&fields, "traced_percent_at_equal_error").map(|y| (i as f64, y))
+    // Side by side, so that none hides another.
+    let points = |place: usize| {
+        let shift = 0.12 * (place as f64 - 1.5);
+        let of = move |(i, scene): (usize, &String)| {
+            let fields = [("scene", scene.as_str()), ("variant", VARIANTS[place].2)];
+            table.number(&fields, "traced_percent_at_equal_error").map(|y| (i as f64 + shift, y))
         };
         names.iter().enumerate().filter_map(of).collect()
     };
@@ -106,7 +108,8 @@ fn chart(table: &Table, names: &[String]) -> Chart {
         lines: VARIANTS
             .iter()
             .zip(looks)
-            .map(|(v, look)| Line { name: v.2.to_owned(), points: points(v.2), look })
+            .enumerate()
+            .map(|(place, (v, look))| Line { name: v.2.to_owned(), points: points(place), look })
             .collect(),
     }
 }

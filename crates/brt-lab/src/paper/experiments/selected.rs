@@ -9,7 +9,7 @@ use crate::paper::lab::{Lab, square};
 use crate::paper::picture::traced_percent;
 use crate::paper::subjects::Subjects;
 use crate::paper::table::Table;
-use crate::plot::{Axis, Chart, Line};
+use crate::plot::{Axis, Chart, Line, power_of_n};
 
 /// Exponents of counts are fitted from here on: below, blocks of 16 pixels are too coarse for the scenes.
 const FIT_FROM: f64 = 512.0;
@@ -59,6 +59,13 @@ fn note(lab: &Lab, names: &[String], findings: &mut Findings) {
     }
 }
 
+/// The sizes over which exponents are fitted: all, where fewer than two are large.
+fn fitted_sizes(lab: &Lab) -> String {
+    let large: Vec<u32> = lab.sizes.iter().copied().filter(|s| f64::from(*s) >= FIT_FROM).collect();
+    let fitted = if large.len() > 1 { &large } else { &lab.sizes };
+    fitted.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
 fn figure(lab: &Lab, names: &[String], findings: &Findings) -> Figure {
     let charts: Vec<Chart> = names
         .iter()
@@ -70,7 +77,7 @@ fn figure(lab: &Lab, names: &[String], findings: &Findings) -> Figure {
                 .iter()
                 .map(|&s| {
                     let k = findings.number(&format!("traced-exponent/{}/{scene}", s.key()));
-                    let k = k.map_or(String::new(), |k| format!(", N^{k:.2}"));
+                    let k = k.map_or(String::new(), |k| format!(", {}", power_of_n(k)));
                     let points = points(findings, scene, s, "traced_percent");
                     Line { name: format!("{}{k}", s.label()), points, look: look_of(s) }
                 })
@@ -87,9 +94,10 @@ fn figure(lab: &Lab, names: &[String], findings: &Findings) -> Figure {
         paper: "BRT (solid line) traces fewer pixels than PSRT (broken line).",
         parts: drawn(&charts),
         caption: format!(
-            "Exponents are those of the <em>number</em> of traced pixels over N ≥ 512: {} for BRT by deviation, {} for \
+            "Exponents are those of the <em>number</em> of traced pixels over N = {}: {} for BRT by deviation, {} for \
              PSRT. Δ = 16 means 16 levels of deviation or difference, but 16 levels² of variance, which is a deviation \
              of 4 levels. All acceleration structures trace the same pixels.",
+            fitted_sizes(lab),
             exponents(Selection::Deviation),
             exponents(Selection::Psrt)
         ),

@@ -2,12 +2,13 @@
 
 use brt::{Scene, Shape};
 
-use super::{Figure, shown_table};
+use super::Figure;
 use crate::paper::PaperError;
 use crate::paper::findings::Findings;
 use crate::paper::lab::Lab;
 use crate::paper::subjects::Subjects;
 use crate::paper::table::Table;
+use crate::plot::escape;
 
 /// The paper's counts: mirrored planes, mirrored balls, all.
 const PAPERS: [(&str, [u32; 3]); 3] = [("A", [2, 1, 4]), ("B", [0, 49, 50]), ("C", [57, 0, 71])];
@@ -27,7 +28,7 @@ pub(super) fn table1(_: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
     }
     let differing = subjects.are_papers.then_some(f64::from(wrong));
     findings.note("table1", "table1/differing-counts", differing);
-    let parts = vec![shown_table(&table, 0)];
+    let parts = vec![as_in_the_paper(subjects, &table)];
     findings.add(table);
     Ok(Figure {
         id: "table1",
@@ -43,6 +44,24 @@ pub(super) fn table1(_: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
         },
         table: "table1",
     })
+}
+
+/// Kinds in rows, scenes in columns.
+fn as_in_the_paper(subjects: &Subjects, table: &Table) -> String {
+    let columns = if subjects.are_papers { ["paper", "here"].as_slice() } else { &["here"] };
+    let scenes = || subjects.main.iter().flat_map(|s| columns.iter().map(move |column| (&s.name, *column)));
+    let head: String = scenes().map(|(scene, column)| format!("<th>{}, {column}</th>", escape(scene))).collect();
+    let row = |kind: &str| {
+        let cell = |(scene, column): (&String, &str)| {
+            let count = table.number(&[("scene", scene), ("primitives", kind)], column);
+            format!("<td class=\"n\">{}</td>", count.map_or("–".to_owned(), |c| c.to_string()))
+        };
+        format!("<tr><td>{kind}</td>{}</tr>", scenes().map(cell).collect::<String>())
+    };
+    let rows: String = ROWS.into_iter().map(row).collect();
+    format!(
+        "<div class=\"scroll\"><table><thead><tr><th>primitives</th>{head}</tr></thead><tbody>{rows}</tbody></table></div>"
+    )
 }
 
 /// Mirrored flat primitives, mirrored balls, all primitives.

@@ -7,7 +7,7 @@ use crate::paper::subjects::Subjects;
 /// Exponents that count as N² and as N.
 const SQUARE: [f64; 2] = [1.9, 2.1];
 const LINEAR: [f64; 2] = [0.75, 1.3];
-/// A gain that grows with N by less than this power does not grow.
+/// A gain that grows with N by at most this power does not grow.
 const FLAT: f64 = 0.15;
 /// A gain that grows with at least this power grows with resolution.
 const GROWS: f64 = 0.3;
@@ -113,7 +113,7 @@ fn p8(bench: &Bench) -> Verdict {
     let flat = [Family::Standard, Family::Hybrid]
         .map(|family| of_family(bench, "family-gain-exponent", family))
         .concat();
-    let gaining = flat.iter().filter(|n| bench.test(n, |k| k.abs() > FLAT) == Some(true)).count();
+    let gaining = flat.iter().filter(|n| bench.test(n, |k| k > FLAT) == Some(true)).count();
     let known = flat.iter().any(|n| bench.findings.number(n).is_some());
     let parts = [
         bench.tests(&full, within(SQUARE)),
