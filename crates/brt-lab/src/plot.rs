@@ -227,7 +227,9 @@ pub(crate) fn power_of_n(exponent: f64) -> String {
     let raised = |c: char| match c {
         '-' => '⁻',
         '.' => '·',
-        digit => digit.to_digit(10).map_or(digit, |d| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize]),
+        digit => digit
+            .to_digit(10)
+            .map_or(digit, |d| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize]),
     };
     format!("N{}", format!("{exponent:.2}").chars().map(raised).collect::<String>())
 }
@@ -242,8 +244,7 @@ mod tests {
     use super::*;
 
     fn chart(points: Vec<(f64, f64)>) -> String {
-        let line =
-            Line { name: "a < b".into(), points, look: Look::new(1, Dash::Broken, Marker::Square) };
+        let line = Line { name: "a < b".into(), points, look: Look::new(1, Dash::Broken, Marker::Square) };
         let (x, y) = (Axis::logarithmic("N"), Axis::linear("time / s"));
         Chart { title: "Two".into(), x, y, lines: vec![line] }.svg()
     }

@@ -6,7 +6,7 @@ use brt_lab::paper::{self, PaperError, Watch};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::exit::{Failure, Outcome, wrong_use};
+use crate::exit::{Failure, Outcome};
 use crate::scene_input::{self, LimitOptions};
 use crate::{interrupt, output};
 
@@ -40,8 +40,7 @@ pub(crate) struct Options {
 /// Measures, and writes the page.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let scene = options.scene.as_deref().map(|path| own_scene(options, path)).transpose()?;
-    let sizes: &[u32] =
-        if options.quick { &paper::Options::QUICK_SIZES } else { &paper::Options::SIZES };
+    let sizes: &[u32] = if options.quick { &paper::Options::QUICK_SIZES } else { &paper::Options::SIZES };
     let repeat = if options.quick { 1 } else { paper::Options::REPEAT };
     let experiments = paper::Options {
         sizes: options.sizes.clone().unwrap_or_else(|| sizes.to_vec()),
@@ -70,10 +69,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
 fn own_scene(options: &Options, path: &Path) -> Result<(String, brt::Scene), Failure> {
     let input = scene_input::read(path, &options.limits.limits(MAX_PIXELS))?;
     input.show_warnings();
-    let name = path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    if ["blocks", "torus", "adversary"].contains(&name.as_str()) {
-        return Err(wrong_use(format!("`{name}` is among the experiments' own scenes; rename your file")));
-    }
+    let name =
+        path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     Ok((name, input.scene))
 }
 

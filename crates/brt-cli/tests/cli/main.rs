@@ -4,6 +4,7 @@ mod bench;
 mod compare;
 mod failures;
 mod help;
+mod paper;
 mod render;
 mod scenes;
 mod wrong_use;

@@ -93,9 +93,11 @@ pub(crate) const METHODS: [FamilyMethod; 6] = [
         family: Family::Interpolation,
         method: Some(|| Selection::Deviation.method(DELTA)),
     },
-    FamilyMethod { name: "pencil",
+    FamilyMethod {
+        name: "pencil",
         family: Family::Interpolation,
-        method: Some(|| Method::Pencil(PencilSettings::default())) },
+        method: Some(|| Method::Pencil(PencilSettings::default())),
+    },
     FamilyMethod { name: "item-buffer", family: Family::Hybrid, method: Some(|| Method::ItemBuffer) },
     FamilyMethod { name: "scan-line", family: Family::Hybrid, method: Some(|| Method::ScanLine) },
 ];
@@ -109,7 +111,8 @@ pub(crate) const ACCELERATORS: [(&str, Option<Accelerator>); 4] = [
 ];
 
 /// The two conditions of Figs. 1, 2 and 4: the paper's, and today's.
-pub(crate) const CONDITIONS: [(&str, Accelerator); 2] = [("none", Accelerator::None), ("bvh", Accelerator::Bvh)];
+pub(crate) const CONDITIONS: [(&str, Accelerator); 2] =
+    [("none", Accelerator::None), ("bvh", Accelerator::Bvh)];
 
 #[cfg(test)]
 mod tests {

@@ -44,9 +44,12 @@ mod tests {
             assert!((exponent(&power(k)).unwrap() - k).abs() < 1e-9);
         }
         // Alternating errors of ±10 % on six points move it by a few hundredths.
-        let noisy: Vec<(f64, f64)> =
-            (0..6).map(|i| 128.0 * f64::from(1 << i)).map(|n| (n, n * n)).enumerate()
-                .map(|(i, (n, t))| (n, if i % 2 == 0 { 1.1 * t } else { 0.9 * t })).collect();
+        let noisy: Vec<(f64, f64)> = (0..6)
+            .map(|i| 128.0 * f64::from(1 << i))
+            .map(|n| (n, n * n))
+            .enumerate()
+            .map(|(i, (n, t))| (n, if i % 2 == 0 { 1.1 * t } else { 0.9 * t }))
+            .collect();
         assert!((exponent(&noisy).unwrap() - 2.0).abs() < 0.06);
         assert_eq!(exponent(&[(128.0, 1.0)]), None);
         assert_eq!(exponent(&[]), None);

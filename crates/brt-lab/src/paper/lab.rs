@@ -3,7 +3,7 @@
 //! Times are processor times of one thread: other programs disturb them least. Contenders take turns within each
 //! repetition, so that a machine which slows down slows all of them.
 
-use brt::{Method, Run, Rows, Scene, Settings, Sink, SinkError, Stats, render};
+use brt::{Method, Rows, Run, Scene, Settings, Sink, SinkError, Stats, render};
 use cpu_time::ProcessTime;
 
 use super::fit::median;
@@ -33,8 +33,21 @@ pub(crate) struct Timing {
     pub(crate) seconds: f64,
     /// Median of the perspective image's share, from 0 to 1.
     pub(crate) perspective_share: f64,
-    pub(crate) repetitions: usize,
     pub(crate) stats: Stats,
+    /// Processor seconds of each repetition.
+    runs: Vec<f64>,
+}
+
+impl Timing {
+    pub(crate) fn repetitions(&self) -> usize {
+        self.runs.len()
+    }
+
+    /// How many times as fast as another contender of the same turns: the median over the repetitions of both.
+    pub(crate) fn gain_over(&self, other: &Self) -> f64 {
+        let ratios: Vec<f64> = self.runs.iter().zip(&other.runs).map(|(own, others)| others / own).collect();
+        median(&ratios)
+    }
 }
 
 impl<'a> Lab<'a> {
@@ -91,8 +104,8 @@ impl<'a> Lab<'a> {
         let timing = |runs: &Vec<(f64, f64, Stats)>| Timing {
             seconds: median(&runs.iter().map(|r| r.0).collect::<Vec<_>>()),
             perspective_share: median(&runs.iter().map(|r| r.1).collect::<Vec<_>>()),
-            repetitions: runs.len(),
             stats: runs[0].2,
+            runs: runs.iter().map(|r| r.0).collect(),
         };
         Ok(runs.iter().map(timing).collect())
     }

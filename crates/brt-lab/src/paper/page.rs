@@ -46,8 +46,8 @@ fn introduction(lab: &Lab, subjects: &Subjects) -> String {
          <p>A. Hashimoto and Y. Suenaga, <i>Border Ray-tracing: picture quality and acceleration rate</i> (NTT, 1987). \
          Every table and figure of the paper, measured on this machine by <code>brt paper</code> {}.{quick}</p>\n\
          <p>RT: standard ray tracing. BRT: border ray tracing. PSRT: pixel-selected ray tracing. Scenes: {scenes}. \
-         N = {}; times are processor times of one thread, medians of {} repetitions or more (fewer for pictures that take \
-         long), the methods taking turns; each file of times has the counts of rays and tests beside them. Colours are \
+         N = {}; times are processor times of one thread, medians of {} or more (fewer for pictures that take long), the \
+         methods taking turns, and gains are medians of the ratios within a turn; each file of times has the counts of rays and tests beside them. Colours are \
          judged and compared proportional to light, and shown as sRGB.</p>\n",
         env!("CARGO_PKG_VERSION"),
         sizes.join(", "),
@@ -56,10 +56,12 @@ fn introduction(lab: &Lab, subjects: &Subjects) -> String {
 }
 
 fn verdict_section(verdicts: &[Verdict]) -> String {
-    let all = [Outcome::Holds, Outcome::Partly, Outcome::DoesNotHold, Outcome::NotBuilt, Outcome::NotMeasured];
+    let all =
+        [Outcome::Holds, Outcome::Partly, Outcome::DoesNotHold, Outcome::NotBuilt, Outcome::NotMeasured];
     let counts = all.iter().filter_map(|&outcome| {
         let count = verdicts.iter().filter(|v| v.outcome == outcome).count();
-        (count > 0).then(|| format!("<li class=\"{}\"><b>{count}</b> {}</li>", class(outcome), outcome.name()))
+        (count > 0)
+            .then(|| format!("<li class=\"{}\"><b>{count}</b> {}</li>", class(outcome), outcome.name()))
     });
     let rows = verdicts.iter().map(|v| {
         format!(
@@ -95,7 +97,8 @@ fn class(outcome: Outcome) -> &'static str {
 
 fn section(figure: &Figure) -> String {
     // Tables and sheets take the width they need; charts share it.
-    let layout = if figure.parts.iter().all(|part| part.starts_with("<div")) { "parts wide" } else { "parts" };
+    let layout =
+        if figure.parts.iter().all(|part| part.starts_with("<div")) { "parts wide" } else { "parts" };
     format!(
         "<h2 id=\"{}\">{}</h2>\n<p class=\"says\"><b>The paper:</b> {}</p>\n<div class=\"{layout}\">\n{}</div>\n\
          <p>{}</p>\n<p class=\"says\">Numbers: <a href=\"{table}.csv\">{table}.csv</a></p>\n",

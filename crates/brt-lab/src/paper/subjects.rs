@@ -1,8 +1,6 @@
 //! The scenes of the experiments.
 
-use brt::{
-    Camera, Light, Material, Projection, Rgb, Scene, Shape, library, rgb, vec3,
-};
+use brt::{Camera, Light, Material, Projection, Rgb, Scene, Shape, library, rgb, vec3};
 
 use super::{Options, PaperError};
 
@@ -35,7 +33,7 @@ impl Subjects {
     pub(crate) fn new(options: &Options) -> Result<Self, PaperError> {
         let main = match &options.scene {
             Some((name, scene)) => {
-                vec![Subject { name: name.clone(), title: "your scene", scene: scene.clone() }]
+                vec![Subject { name: plain(name), title: "your scene", scene: scene.clone() }]
             }
             None => vec![
                 named("A", "two mirror planes, a mirror ball, a matte ball", "seed-a", None)?,
@@ -70,12 +68,14 @@ impl Subjects {
     }
 }
 
-fn named(
-    name: &str,
-    title: &'static str,
-    scene: &str,
-    size: Option<u32>,
-) -> Result<Subject, PaperError> {
+/// A name that can stand in tables and pages as it is, and is none of ours.
+fn plain(name: &str) -> String {
+    let letter = |c: char| if c.is_alphanumeric() || " -_.".contains(c) { c } else { '_' };
+    let plain: String = name.chars().map(letter).collect();
+    if ["blocks", "torus", "adversary"].contains(&plain.as_str()) { plain + "-own" } else { plain }
+}
+
+fn named(name: &str, title: &'static str, scene: &str, size: Option<u32>) -> Result<Subject, PaperError> {
     let unknown = || PaperError::Scene(format!("there is no scene `{scene}`"));
     let built = library::find(scene).ok_or_else(unknown)?.build(size);
     let scene = built.map_err(|error| PaperError::Scene(error.to_string()))?;
@@ -161,6 +161,12 @@ pub(crate) fn counted_balls(count: u32, has_shadows: bool) -> Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_own_scenes_need_no_escaping() {
+        assert_eq!(plain("a <b>, 2.1"), "a _b__ 2.1");
+        assert_eq!(plain("blocks"), "blocks-own");
+    }
 
     #[test]
     fn built_scenes_are_fit_to_be_rendered() {

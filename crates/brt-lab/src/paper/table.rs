@@ -167,6 +167,9 @@ mod tests {
         let mut table = Table::new("t", &["a", "b"]);
         table.push(["x, \"y\"".into(), (1.0 / 3.0).into()]);
         assert_eq!(table.csv(), "a,b\n\"x, \"\"y\"\"\",0.333333\n");
-        assert_eq!([exact(1_234_567.0), exact(1.5), exact(0.000_012_345_67)], ["1234567", "1.5", "0.0000123457"]);
+        assert_eq!(
+            [exact(1_234_567.0), exact(1.5), exact(0.000_012_345_67)],
+            ["1234567", "1.5", "0.0000123457"]
+        );
     }
 }

@@ -22,10 +22,7 @@ impl Axis {
 
     /// Logarithmic, with numbers at these values.
     pub(crate) fn steps(label: impl Into<String>, values: &[f64]) -> Self {
-        Self {
-            ticks: values.iter().map(|&v| (v, short(v))).collect(),
-            ..Self::logarithmic(label)
-        }
+        Self { ticks: values.iter().map(|&v| (v, short(v))).collect(), ..Self::logarithmic(label) }
     }
 
     /// Names in a row, at 0, 1, 2, …
@@ -89,10 +86,12 @@ impl Scale<'_> {
 
     /// 1 of each decade, with as many more as it takes to show three numbers.
     fn powers(&self) -> Vec<f64> {
-        const DIGITS: [&[f64]; 4] =
-            [&[1.0], &[1.0, 2.0, 5.0], &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0], &[
-                1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0,
-            ]];
+        const DIGITS: [&[f64]; 4] = [
+            &[1.0],
+            &[1.0, 2.0, 5.0],
+            &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0],
+            &[1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0],
+        ];
         let inside = |digits: &[f64]| -> Vec<f64> {
             (self.lo.floor() as i32..=self.hi.ceil() as i32)
                 .flat_map(|decade| digits.iter().map(move |digit| digit * 10_f64.powi(decade)))
@@ -107,7 +106,8 @@ impl Scale<'_> {
     fn round_numbers(&self) -> Vec<f64> {
         let rough = (self.hi - self.lo) / 5.0;
         let power = 10_f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].map(|d| d * power).into_iter().find(|s| *s >= rough).unwrap_or(rough);
+        let step =
+            [1.0, 2.0, 5.0, 10.0].map(|d| d * power).into_iter().find(|s| *s >= rough).unwrap_or(rough);
         let first = (self.lo / step).ceil() as i64;
         let last = (self.hi / step).floor() as i64;
         (first..=last).map(|i| i as f64 * step).collect()

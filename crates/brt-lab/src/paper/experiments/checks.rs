@@ -13,7 +13,15 @@ use crate::paper::table::Table;
 
 pub(super) fn checks(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     let size = lab.picture_size(512);
-    let mut table = Table::new("checks", &["scene", "pixels_differing_with_known_first_hits", "filled_pixels", "filled_with_the_right_history_percent"]);
+    let mut table = Table::new(
+        "checks",
+        &[
+            "scene",
+            "pixels_differing_with_known_first_hits",
+            "filled_pixels",
+            "filled_with_the_right_history_percent",
+        ],
+    );
     for subject in subjects.with_blocks() {
         lab.doing(&format!("Checks: {}", subject.name));
         let scene = &subject.scene;
@@ -23,7 +31,8 @@ pub(super) fn checks(lab: &Lab, subjects: &Subjects, findings: &mut Findings) ->
         let known = Method::Border(BorderSettings { block: 1, ..Default::default() });
         let known = lab.picture(scene, &with(Vec::new(), known))?;
         let differing = full.colors.iter().zip(&known.colors).filter(|(a, b)| a != b).count();
-        let border = lab.picture(scene, &with(vec![Layer::History, Layer::State], Selection::Deviation.method(DELTA)))?;
+        let border = lab
+            .picture(scene, &with(vec![Layer::History, Layer::State], Selection::Deviation.method(DELTA)))?;
         let filled = || (0..border.state.len()).filter(|&i| border.state[i] == SampleState::Filled);
         let right = filled().filter(|&i| border.history[i] == full.history[i]).count();
         let filled = filled().count();

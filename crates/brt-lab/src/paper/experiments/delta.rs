@@ -66,7 +66,8 @@ fn note(names: &[String], findings: &mut Findings) {
             let errors = points(findings, scene, selection, "mean_error");
             let traced = points(findings, scene, selection, "traced_percent");
             let at = |points: &[(f64, f64)], delta: f64| points.iter().find(|p| p.0 == delta).map(|p| p.1);
-            let ratio = |points: &[(f64, f64)], a: f64, b: f64| at(points, a).zip(at(points, b)).map(|(a, b)| a / b);
+            let ratio =
+                |points: &[(f64, f64)], a: f64, b: f64| at(points, a).zip(at(points, b)).map(|(a, b)| a / b);
             findings.note("fig5", format!("error-at-16/{key}/{scene}"), at(&errors, 16.0));
             findings.note("fig5", format!("traced-at-16/{key}/{scene}"), at(&traced, 16.0));
             // Two equal pictures without error have saturated.
@@ -90,8 +91,7 @@ fn note(names: &[String], findings: &mut Findings) {
 /// The Δ whose error and traced share, each from 0 (least on the curve) to 1 (greatest), have the least sum.
 fn best_delta(errors: &[(f64, f64)], traced: &[(f64, f64)]) -> Option<f64> {
     let normal = |points: &[(f64, f64)]| {
-        let (lo, hi) =
-            points.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), p| (lo.min(p.1), hi.max(p.1)));
+        let (lo, hi) = points.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), p| (lo.min(p.1), hi.max(p.1)));
         points.iter().map(|p| if hi > lo { (p.1 - lo) / (hi - lo) } else { 0.0 }).collect::<Vec<_>>()
     };
     let sums = normal(errors).into_iter().zip(normal(traced)).map(|(e, t)| e + t);
@@ -106,7 +106,11 @@ fn figure(names: &[String], size: u32, findings: &Findings) -> Figure {
         y: Axis::linear(label),
         lines: Selection::ALL
             .iter()
-            .map(|&s| Line { name: s.label().to_owned(), points: points(findings, scene, s, column), look: look_of(s) })
+            .map(|&s| Line {
+                name: s.label().to_owned(),
+                points: points(findings, scene, s, column),
+                look: look_of(s),
+            })
             .collect(),
     };
     let charts: Vec<Chart> = names

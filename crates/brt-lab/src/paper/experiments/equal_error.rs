@@ -38,7 +38,13 @@ pub(super) fn equal_error(
                 let picture = lab.picture(&subject.scene, &square(size, selection.method(delta)))?;
                 let mean = error(&picture.colors, &full.colors).mean_error;
                 let traced = picture.traced_percent();
-                table.push([(&subject.name).into(), selection.key().into(), delta.into(), mean.into(), traced.into()]);
+                table.push([
+                    (&subject.name).into(),
+                    selection.key().into(),
+                    delta.into(),
+                    mean.into(),
+                    traced.into(),
+                ]);
             }
         }
     }
@@ -59,7 +65,11 @@ fn note(names: &[String], findings: &mut Findings) {
         findings.note("equal_error", format!("equal-error/{scene}"), Some(target));
         let traced = curves.map(|curve| at(&curve, target));
         for (selection, traced) in SHOWN.iter().zip(traced) {
-            findings.note("equal_error", format!("traced-at-equal-error/{}/{scene}", selection.key()), traced);
+            findings.note(
+                "equal_error",
+                format!("traced-at-equal-error/{}/{scene}", selection.key()),
+                traced,
+            );
         }
         let ratio = traced[0].zip(traced[2]).map(|(brt, psrt)| brt / psrt);
         findings.note("equal_error", format!("brt-traced-over-psrt-at-equal-error/{scene}"), ratio);

@@ -23,11 +23,23 @@ struct Contender {
     settings: Settings,
 }
 
-pub(super) fn families(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
+pub(super) fn families(
+    lab: &Lab,
+    subjects: &Subjects,
+    findings: &mut Findings,
+) -> Result<Figure, PaperError> {
     let largest = lab.size_up_to(if lab.quick { QUICK_LARGEST } else { LARGEST });
     let sizes: Vec<u32> = lab.sizes.iter().copied().filter(|s| *s <= largest).collect();
     let columns = [
-        "scene", "method", "accelerator", "size", "acceleration", "seconds", "repetitions", "traced_percent", "primitive_tests",
+        "scene",
+        "method",
+        "accelerator",
+        "size",
+        "acceleration",
+        "seconds",
+        "repetitions",
+        "traced_percent",
+        "primitive_tests",
     ];
     let mut table = Table::new("families", &columns);
     for subject in &subjects.main {
@@ -37,9 +49,9 @@ pub(super) fn families(lab: &Lab, subjects: &Subjects, findings: &mut Findings) 
             let settings: Vec<Settings> = contenders.iter().map(|c| c.settings.clone()).collect();
             let timings = lab.time(&subject.scene, &settings)?;
             let is_base = |c: &Contender| c.method == "full" && c.accelerator == "none";
-            let base = contenders.iter().position(is_base).map(|i| timings[i].seconds);
+            let base = contenders.iter().position(is_base).map(|i| &timings[i]);
             for (c, timing) in contenders.iter().zip(&timings) {
-                let gain = base.map_or("–".into(), |base| (base / timing.seconds).into());
+                let gain = base.map_or("–".into(), |base| timing.gain_over(base).into());
                 table.push([
                     (&subject.name).into(),
                     c.method.into(),
@@ -47,7 +59,7 @@ pub(super) fn families(lab: &Lab, subjects: &Subjects, findings: &mut Findings) 
                     size.into(),
                     gain,
                     timing.seconds.into(),
-                    timing.repetitions.into(),
+                    timing.repetitions().into(),
                     traced_percent(&timing.stats).into(),
                     timing.stats.primitive_tests.into(),
                 ]);
@@ -87,7 +99,8 @@ fn note(names: &[String], largest: u32, findings: &mut Findings) {
     for scene in names {
         for (accelerator, _) in ACCELERATORS {
             for method in METHODS {
-                let fields = [("scene", scene.as_str()), ("method", method.name), ("accelerator", accelerator)];
+                let fields =
+                    [("scene", scene.as_str()), ("method", method.name), ("accelerator", accelerator)];
                 let key = format!("{}/{accelerator}/{scene}", method.name);
                 let times = findings.points("families", &fields, "size", "seconds");
                 findings.note("families", format!("family-exponent/{key}"), exponent(&times));
@@ -111,7 +124,8 @@ fn exactness(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<
         for (name, accelerator) in ACCELERATORS {
             let Some(accelerator) = accelerator else { continue };
             for (m, method) in built() {
-                let picture = lab.picture(&subject.scene, &Settings { accelerator, ..square(size, method) })?;
+                let picture =
+                    lab.picture(&subject.scene, &Settings { accelerator, ..square(size, method) })?;
                 let bits = |c: &[f32; 3]| c.map(f32::to_bits);
                 let differing =
                     full.colors.iter().zip(&picture.colors).filter(|(a, b)| bits(a) != bits(b)).count();
@@ -121,7 +135,13 @@ fn exactness(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<
                 } else if m.name == "pencil" {
                     pencil_error = pencil_error.max(greatest);
                 }
-                table.push([(&subject.name).into(), m.name.into(), name.into(), differing.into(), greatest.into()]);
+                table.push([
+                    (&subject.name).into(),
+                    m.name.into(),
+                    name.into(),
+                    differing.into(),
+                    greatest.into(),
+                ]);
             }
         }
     }
@@ -145,7 +165,8 @@ fn figure(subjects: &Subjects, sizes: &[u32], findings: &Findings) -> Figure {
         .map(|m| m.name)
         .chain(ACCELERATORS.iter().filter(|a| a.1.is_none()).map(|a| a.0))
         .collect();
-    let missing = if missing.is_empty() { String::new() } else { format!(" Not yet built: {}.", missing.join(", ")) };
+    let missing =
+        if missing.is_empty() { String::new() } else { format!(" Not yet built: {}.", missing.join(", ")) };
     let mut parts = drawn(&subjects.names().iter().map(chart).collect::<Vec<_>>());
     parts.push(shown_table(&exponents(&subjects.names(), findings), 2));
     Figure {
@@ -186,7 +207,8 @@ fn shown_lines(scene: &str, findings: &Findings) -> Vec<Line> {
 
 /// Exponents of time: a row for each method and scene, a column for each structure.
 fn exponents(names: &[String], findings: &Findings) -> Table {
-    let mut table = Table::new("exponents", &["time grows as N to the power", "scene", "none", "extents", "grid", "bvh"]);
+    let mut table =
+        Table::new("exponents", &["time grows as N to the power", "scene", "none", "extents", "grid", "bvh"]);
     for method in METHODS {
         for scene in names {
             let [none, extents, grid, bvh] = ACCELERATORS.map(|(accelerator, _)| {

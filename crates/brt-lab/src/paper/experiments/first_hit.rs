@@ -7,8 +7,8 @@ use crate::paper::PaperError;
 use crate::paper::contenders::METHODS;
 use crate::paper::findings::Findings;
 use crate::paper::lab::{Lab, square};
-use crate::paper::subjects::counted_balls;
 use crate::paper::subjects::Subjects;
+use crate::paper::subjects::counted_balls;
 use crate::paper::table::Table;
 use crate::plot::{Axis, Chart, Dash, Line, Look, Marker};
 
@@ -24,7 +24,15 @@ fn known_first_hit() -> Method {
 
 pub(super) fn first_hit(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     let size = lab.picture_size(256);
-    let columns = ["shading", "balls", "gain", "seconds_full", "seconds_known", "tests_per_pixel_full", "tests_per_pixel_known"];
+    let columns = [
+        "shading",
+        "balls",
+        "gain",
+        "seconds_full",
+        "seconds_known",
+        "tests_per_pixel_full",
+        "tests_per_pixel_known",
+    ];
     let mut table = Table::new("first_hit", &columns);
     let counts: &[u32] = if lab.quick { &QUICK_COUNTS } else { &COUNTS };
     for (name, has_shadows) in [("one light with shadows", true), ("no light", false)] {
@@ -35,8 +43,16 @@ pub(super) fn first_hit(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Res
             let timings = lab.time(&scene, &[settings(Method::Full), settings(known_first_hit())])?;
             let tests = |i: usize| timings[i].stats.primitive_tests as f64 / f64::from(size * size);
             let (full, known) = (timings[0].seconds, timings[1].seconds);
-            let gain = full / known;
-            table.push([name.into(), count.into(), gain.into(), full.into(), known.into(), tests(0).into(), tests(1).into()]);
+            let gain = timings[1].gain_over(&timings[0]);
+            table.push([
+                name.into(),
+                count.into(),
+                gain.into(),
+                full.into(),
+                known.into(),
+                tests(0).into(),
+                tests(1).into(),
+            ]);
             let kind = if has_shadows { "shadows" } else { "ambient" };
             let is_last = Some(&count) == counts.last();
             findings.note("first_hit", format!("first-hit-gain/{kind}/{count}"), Some(gain));
@@ -56,7 +72,11 @@ fn figure(findings: &Findings, size: u32, counts: &[f64]) -> Figure {
         points: findings.points("first_hit", &[("shading", name)], "balls", "gain"),
         look,
     };
-    let twice = Line { name: "2 ×".to_owned(), points: counts.iter().map(|&c| (c, 2.0)).collect(), look: Look::GUIDE };
+    let twice = Line {
+        name: "2 ×".to_owned(),
+        points: counts.iter().map(|&c| (c, 2.0)).collect(),
+        look: Look::GUIDE,
+    };
     let chart = Chart {
         title: format!("First hit known, N = {size}, no acceleration"),
         x: Axis::steps("number of balls", counts),

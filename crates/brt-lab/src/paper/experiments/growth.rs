@@ -15,6 +15,8 @@ use crate::plot::{Axis, Chart, Dash, Line, Look, Marker, power_of_n};
 
 /// The methods of Figs. 1 and 2 in tables and in the paper's words.
 const METHODS: [(&str, &str); 3] = [("full", "RT"), ("border", "BRT"), ("pixel-selected", "PSRT")];
+/// In the table of Fig. 2: how many times as fast as PSRT.
+const AGAINST_PSRT: &str = "border against pixel-selected";
 /// The size at which the paper reads Fig. 4.
 const PAPERS_LARGEST: u32 = 1024;
 
@@ -31,13 +33,19 @@ fn settings(index: usize, size: u32, accelerator: Accelerator) -> Settings {
 pub(super) fn fig1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     measure(lab, subjects, findings)?;
     let charts = CONDITIONS.map(|(accelerator, _)| {
-        let lines = subjects.main.iter().enumerate().flat_map(|(i, subject)| {
-            METHODS[..2].iter().map(move |method| (i, subject, method))
-        });
+        let lines = subjects
+            .main
+            .iter()
+            .enumerate()
+            .flat_map(|(i, subject)| METHODS[..2].iter().map(move |method| (i, subject, method)));
         let line = |(color, subject, (method, short)): (usize, &Subject, &(&str, &str))| {
             let k = findings.number(&format!("time-exponent/{method}/{}/{accelerator}", subject.name));
             Line {
-                name: format!("{} {short}{}", subject.name, k.map_or(String::new(), |k| format!(", {}", power_of_n(k)))),
+                name: format!(
+                    "{} {short}{}",
+                    subject.name,
+                    k.map_or(String::new(), |k| format!(", {}", power_of_n(k)))
+                ),
                 points: points(findings, "fig1", subject, accelerator, method, "relative_time"),
                 look: look(color, method),
             }
@@ -50,7 +58,11 @@ pub(super) fn fig1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
         }
     });
     let names = |method: &str, accelerator: &str| {
-        subjects.names().iter().map(|s| format!("time-exponent/{method}/{s}/{accelerator}")).collect::<Vec<_>>()
+        subjects
+            .names()
+            .iter()
+            .map(|s| format!("time-exponent/{method}/{s}/{accelerator}"))
+            .collect::<Vec<_>>()
     };
     Ok(Figure {
         id: "fig1",
@@ -72,9 +84,11 @@ pub(super) fn fig1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
 /// Fig. 2, from the measurements of Fig. 1.
 pub(super) fn fig2(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     let charts = CONDITIONS.map(|(accelerator, _)| {
-        let pairs = subjects.main.iter().enumerate().flat_map(|(i, subject)| {
-            METHODS[1..].iter().map(move |method| (i, subject, method))
-        });
+        let pairs = subjects
+            .main
+            .iter()
+            .enumerate()
+            .flat_map(|(i, subject)| METHODS[1..].iter().map(move |method| (i, subject, method)));
         let line = |(color, subject, (method, short)): (usize, &Subject, &(&str, &str))| Line {
             name: format!("{} {short}", subject.name),
             points: points(findings, "fig2", subject, accelerator, method, "acceleration"),
@@ -174,8 +188,11 @@ fn measure(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<()
                     let head = || [(&subject.name).into(), name.into(), (*method).into(), size.into()];
                     fig1.push(row(head(), timing, unit));
                     let [a, b, c, d] = head();
-                    fig2.push([a, b, c, d, (timings[0].seconds / timing.seconds).into()]);
+                    fig2.push([a, b, c, d, timing.gain_over(&timings[0]).into()]);
                 }
+                let against_psrt = timings[1].gain_over(&timings[2]).into();
+                let scene = || (&subject.name).into();
+                fig2.push([scene(), name.into(), AGAINST_PSRT.into(), size.into(), against_psrt]);
                 let share = 100.0 * timings[1].perspective_share;
                 fig4.push([(&subject.name).into(), name.into(), "border".into(), size.into(), share.into()]);
             }
@@ -190,7 +207,7 @@ type Cell = crate::paper::table::Cell;
 
 fn row([scene, accelerator, method, size]: [Cell; 4], timing: &Timing, unit: f64) -> [Cell; 10] {
     let stats = &timing.stats;
-    let (relative, repetitions) = ((timing.seconds / unit).into(), timing.repetitions.into());
+    let (relative, repetitions) = ((timing.seconds / unit).into(), timing.repetitions().into());
     let (traced, rays) = (traced_percent(stats).into(), stats.rays.total().into());
     let tests = stats.primitive_tests.into();
     let seconds = timing.seconds.into();
@@ -207,12 +224,16 @@ fn note(lab: &Lab, subjects: &Subjects, findings: &mut Findings) {
                 let times = points(findings, "fig1", subject, name, method, "seconds");
                 findings.note("fig1", format!("time-exponent/{method}/{scene}/{name}"), exponent(&times));
                 let gains = points(findings, "fig2", subject, name, method, "acceleration");
-                findings.note("fig2", format!("acceleration-exponent/{method}/{scene}/{name}"), exponent(&gains));
+                findings.note(
+                    "fig2",
+                    format!("acceleration-exponent/{method}/{scene}/{name}"),
+                    exponent(&gains),
+                );
                 let last = gains.iter().find(|p| p.0.to_string() == papers).map(|p| p.1);
                 findings.note("fig2", format!("acceleration/{method}/{scene}/{name}"), last);
             }
-            let gain = |method: &str| findings.number(&format!("acceleration/{method}/{scene}/{name}"));
-            let ratio = gain("border").zip(gain("pixel-selected")).map(|(brt, psrt)| brt / psrt);
+            let ratios = points(findings, "fig2", subject, name, AGAINST_PSRT, "acceleration");
+            let ratio = ratios.iter().find(|p| p.0.to_string() == papers).map(|p| p.1);
             findings.note("fig2", format!("psrt-time-over-brt/{scene}/{name}"), ratio);
             let shares = points(findings, "fig4", subject, name, "border", "share_percent");
             let share = shares.iter().find(|p| p.0.to_string() == papers).map(|p| p.1);
@@ -235,7 +256,9 @@ fn points(
 
 fn look(color: usize, method: &str) -> Look {
     match method {
-        "border" => Look::new(color, Dash::Solid, [Marker::Disc, Marker::Triangle, Marker::Diamond][color % 3]),
+        "border" => {
+            Look::new(color, Dash::Solid, [Marker::Disc, Marker::Triangle, Marker::Diamond][color % 3])
+        }
         "full" => Look::new(color, Dash::Broken, Marker::Square),
         _ => Look::new(color, Dash::Broken, Marker::Ring),
     }

@@ -20,13 +20,20 @@ const LOST_LEVELS: f64 = 10.0;
 pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     lab.doing("Fig. 7: very small balls");
     let (scene, balls) = small_balls();
-    let settings = |method| Settings {
-        layers: vec![Layer::Surface, Layer::State],
-        ..square(SMALL_BALLS_SIDE, method)
-    };
+    let settings =
+        |method| Settings { layers: vec![Layer::Surface, Layer::State], ..square(SMALL_BALLS_SIDE, method) };
     let full = lab.picture(&scene, &settings(Method::Full))?;
     let mut cells = vec![shown("full", &full.colors)?];
-    let columns = ["ball", "radius_px", "shift_px", "method", "brightest_full", "brightest", "highlight_lost", "ball_lost"];
+    let columns = [
+        "ball",
+        "radius_px",
+        "shift_px",
+        "method",
+        "brightest_full",
+        "brightest",
+        "highlight_lost",
+        "ball_lost",
+    ];
     let mut table = Table::new("fig7", &columns);
     for selection in SHOWN {
         let picture = lab.picture(&scene, &settings(selection.method(DELTA)))?;
@@ -91,7 +98,10 @@ fn sheet(cells: &[String]) -> String {
         let first = if i == 0 { cells[0].clone() } else { "<td></td>".to_owned() };
         format!("<tr>{first}{}</tr>", row.concat())
     });
-    format!("<div class=\"scroll\"><table class=\"sheet\"><tbody>{}</tbody></table></div>", rows.collect::<String>())
+    format!(
+        "<div class=\"scroll\"><table class=\"sheet\"><tbody>{}</tbody></table></div>",
+        rows.collect::<String>()
+    )
 }
 
 /// How many of the small things in `adversary` are lost: more than half of their pixels are wrong.

@@ -19,7 +19,8 @@ pub(super) fn fig6(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
     let subject = subjects.papers("B");
     lab.doing(&format!("Fig. 6: {}", subject.name));
     let full = lab.picture(&subject.scene, &square(size, Method::Full))?;
-    let mut table = Table::new("fig6", &["method", "from_level", "to_level", "middle", "pixels", "pixels_per_level"]);
+    let mut table =
+        Table::new("fig6", &["method", "from_level", "to_level", "middle", "pixels", "pixels_per_level"]);
     for selection in SHOWN {
         let picture = lab.picture(&subject.scene, &square(size, selection.method(DELTA)))?;
         let mut counts = [0_u64; 256];
@@ -30,12 +31,23 @@ pub(super) fn fig6(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
             let pixels = counts[from..=to].iter().sum::<u64>();
             let (middle, width) = (0.5 * (from + to) as f64, (to - from + 1) as f64);
             let density = pixels as f64 / width;
-            table.push([selection.key().into(), from.into(), to.into(), middle.into(), pixels.into(), density.into()]);
+            table.push([
+                selection.key().into(),
+                from.into(),
+                to.into(),
+                middle.into(),
+                pixels.into(),
+                density.into(),
+            ]);
         }
         let pixels = picture.colors.len() as f64;
         let over = counts[11..].iter().sum::<u64>() as f64;
         findings.note("fig6", format!("red-over-10/{}", selection.key()), Some(over));
-        findings.note("fig6", format!("red-over-10-percent/{}", selection.key()), Some(100.0 * over / pixels));
+        findings.note(
+            "fig6",
+            format!("red-over-10-percent/{}", selection.key()),
+            Some(100.0 * over / pixels),
+        );
     }
     findings.add(table);
     let chart = Chart {
@@ -53,7 +65,10 @@ pub(super) fn fig6(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
     };
     Ok(Figure {
         id: "fig6",
-        heading: format!("Fig. 6: distribution of the error, red channel of {} (N = {size}, Δ = 16)", subject.name),
+        heading: format!(
+            "Fig. 6: distribution of the error, red channel of {} (N = {size}, Δ = 16)",
+            subject.name
+        ),
         paper: "A few pixels are off by more than 10 levels.",
         parts: drawn(&[chart]),
         caption: format!(

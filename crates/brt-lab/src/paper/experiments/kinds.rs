@@ -20,7 +20,10 @@ const LARGEST: u32 = 1024;
 
 pub(super) fn kinds(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
     let sizes: Vec<u32> = lab.sizes.iter().copied().filter(|s| *s <= lab.size_up_to(LARGEST)).collect();
-    let mut table = Table::new(KINDS_TABLE, &["scene", "size", "acceleration", "seconds_full", "seconds_border", "traced_percent"]);
+    let mut table = Table::new(
+        KINDS_TABLE,
+        &["scene", "size", "acceleration", "seconds_full", "seconds_border", "traced_percent"],
+    );
     let all: Vec<&Subject> = subjects.with_blocks().chain([&subjects.torus]).collect();
     for subject in &all {
         for &size in &sizes {
@@ -29,8 +32,15 @@ pub(super) fn kinds(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> 
             let timings = lab.time(&subject.scene, &methods.map(|method| square(size, method)))?;
             let (full, border) = (timings[0].seconds, timings[1].seconds);
             let traced = traced_percent(&timings[1].stats);
-            let gain = full / border;
-            table.push([(&subject.name).into(), size.into(), gain.into(), full.into(), border.into(), traced.into()]);
+            let gain = timings[1].gain_over(&timings[0]);
+            table.push([
+                (&subject.name).into(),
+                size.into(),
+                gain.into(),
+                full.into(),
+                border.into(),
+                traced.into(),
+            ]);
         }
         let gains = table.points(&[("scene", &subject.name)], "size", "acceleration");
         findings.note(KINDS_TABLE, format!("kind-gain/{}", subject.name), gains.last().map(|p| p.1));
@@ -48,7 +58,8 @@ fn figure(lab: &Lab, all: &[&Subject], findings: &Findings) -> Figure {
         points: findings.points(KINDS_TABLE, &[("scene", &subject.name)], "size", "acceleration"),
         look: Look::new(i, dashes[i % 5], markers[i % 5]),
     };
-    let sizes: Vec<f64> = size_steps(lab).into_iter().filter(|s| *s <= f64::from(lab.size_up_to(LARGEST))).collect();
+    let sizes: Vec<f64> =
+        size_steps(lab).into_iter().filter(|s| *s <= f64::from(lab.size_up_to(LARGEST))).collect();
     let chart = Chart {
         title: "BRT over RT, both with a hierarchy (Δ = 16)".to_owned(),
         x: Axis::steps("N, side of the picture in pixels", &sizes),

@@ -81,7 +81,8 @@ fn drawn(charts: &[Chart]) -> Vec<String> {
 /// A table as an element of a figure, numbers rounded.
 fn shown_table(table: &Table, decimals: usize) -> String {
     use super::table::Cell;
-    let head: String = table.columns().iter().map(|c| format!("<th>{}</th>", escape(&c.replace('_', " ")))).collect();
+    let head: String =
+        table.columns().iter().map(|c| format!("<th>{}</th>", escape(&c.replace('_', " ")))).collect();
     let cell = |cell: &Cell| match cell {
         Cell::Text(text) => format!("<td>{}</td>", escape(text)),
         Cell::Number(n) if n.fract() == 0.0 => format!("<td class=\"n\">{n}</td>"),
@@ -89,7 +90,9 @@ fn shown_table(table: &Table, decimals: usize) -> String {
     };
     let row = |cells: &Vec<Cell>| format!("<tr>{}</tr>\n", cells.iter().map(cell).collect::<String>());
     let rows: String = table.rows().iter().map(row).collect();
-    format!("<div class=\"scroll\"><table><thead><tr>{head}</tr></thead><tbody>\n{rows}</tbody></table></div>")
+    format!(
+        "<div class=\"scroll\"><table><thead><tr>{head}</tr></thead><tbody>\n{rows}</tbody></table></div>"
+    )
 }
 
 /// Sizes as numbers at an axis.

@@ -26,7 +26,14 @@ const VARIANTS: [(Selection, Regions, &str); 4] = [
 type Curve = Vec<(f64, f64)>;
 
 pub(super) fn regions(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
-    let columns = ["scene", "variant", "traced_percent_at_16", "error_at_16", "equal_error", "traced_percent_at_equal_error"];
+    let columns = [
+        "scene",
+        "variant",
+        "traced_percent_at_16",
+        "error_at_16",
+        "equal_error",
+        "traced_percent_at_equal_error",
+    ];
     let mut table = Table::new("regions", &columns);
     for subject in &subjects.main {
         lab.doing(&format!("Old and new judgement: {}", subject.name));
@@ -36,7 +43,14 @@ pub(super) fn regions(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -
         for ((variant, traced), (mean, traced_at_16)) in VARIANTS.iter().zip(&traced).zip(at_16) {
             let scene = &subject.name;
             let traced_cell = traced.map_or("–".into(), Into::into);
-            table.push([scene.into(), variant.2.into(), traced_at_16.into(), mean.into(), target.into(), traced_cell]);
+            table.push([
+                scene.into(),
+                variant.2.into(),
+                traced_at_16.into(),
+                mean.into(),
+                target.into(),
+                traced_cell,
+            ]);
         }
         let ratio = |new: usize, old: usize| traced[new].zip(traced[old]).map(|(new, old)| new / old);
         let scene = &subject.name;
@@ -65,7 +79,7 @@ pub(super) fn regions(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -
 }
 
 /// A curve for each variant, and its error and traced share at Δ = 16.
-fn sweep(lab: &Lab, subject: &Subject) -> Result<(Vec<Curve>, Vec<(f64, f64)>), PaperError> {
+fn sweep(lab: &Lab, subject: &Subject) -> Result<(Vec<Curve>, Curve), PaperError> {
     let size = lab.picture_size(512);
     let full = lab.picture(&subject.scene, &square(size, Method::Full))?;
     let (mut curves, mut at_16) = (Vec::new(), Vec::new());

@@ -25,7 +25,14 @@ pub(super) fn fig3(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
                 let stats = lab.count(&subject.scene, &square(size, selection.method(DELTA)))?;
                 let (traced, total) = (stats.pixels.traced, stats.pixels.total);
                 let share = traced_percent(&stats).into();
-                table.push([(&subject.name).into(), selection.key().into(), size.into(), share, traced.into(), total.into()]);
+                table.push([
+                    (&subject.name).into(),
+                    selection.key().into(),
+                    size.into(),
+                    share,
+                    traced.into(),
+                    total.into(),
+                ]);
             }
         }
     }

@@ -14,13 +14,19 @@ use crate::paper::table::Table;
 /// Width of each picture on the page.
 const SHOWN: u32 = 170;
 
-pub(super) fn picture1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<Figure, PaperError> {
+pub(super) fn picture1(
+    lab: &Lab,
+    subjects: &Subjects,
+    findings: &mut Findings,
+) -> Result<Figure, PaperError> {
     let size = lab.picture_size(256);
     let subject = subjects.papers("A");
     let full = lab.picture(&subject.scene, &square(size, Method::Full))?;
     let mut table = Table::new("picture1", &["scene", "method", "delta", "traced_percent", "mean_error"]);
     let heads: String = DELTAS.iter().map(|d| format!("<th>Δ = {d}</th>")).collect();
-    let mut html = format!("<div class=\"scroll\"><table class=\"sheet\"><thead><tr><th></th>{heads}</tr></thead><tbody>");
+    let mut html = format!(
+        "<div class=\"scroll\"><table class=\"sheet\"><thead><tr><th></th>{heads}</tr></thead><tbody>"
+    );
     for (selection, name) in [(Selection::Deviation, "BRT"), (Selection::Psrt, "PSRT")] {
         let mut rows = [format!("<tr><th>{name}</th>"), format!("<tr><th>{name},<br>traced</th>")];
         for delta in DELTAS {
@@ -29,7 +35,13 @@ pub(super) fn picture1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) 
             let picture = lab.picture(&subject.scene, &settings)?;
             let (traced, width) = (picture.traced_percent(), picture.width());
             let mean = error(&picture.colors, &full.colors).mean_error;
-            table.push([(&subject.name).into(), selection.key().into(), delta.into(), traced.into(), mean.into()]);
+            table.push([
+                (&subject.name).into(),
+                selection.key().into(),
+                delta.into(),
+                traced.into(),
+                mean.into(),
+            ]);
             let shown = SHOWN.min(width);
             let text = format!("{name}, Δ = {delta}");
             let image = image_element(&picture.colors, width, shown, &text)?;

@@ -50,7 +50,8 @@ pub(super) fn table1(_: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
 fn as_in_the_paper(subjects: &Subjects, table: &Table) -> String {
     let columns = if subjects.are_papers { ["paper", "here"].as_slice() } else { &["here"] };
     let scenes = || subjects.main.iter().flat_map(|s| columns.iter().map(move |column| (&s.name, *column)));
-    let head: String = scenes().map(|(scene, column)| format!("<th>{}, {column}</th>", escape(scene))).collect();
+    let head: String =
+        scenes().map(|(scene, column)| format!("<th>{}, {column}</th>", escape(scene))).collect();
     let row = |kind: &str| {
         let cell = |(scene, column): (&String, &str)| {
             let count = table.number(&[("scene", scene), ("primitives", kind)], column);
@@ -70,7 +71,9 @@ fn counts(scene: &Scene) -> [u32; 3] {
     for object in &scene.objects {
         let is_mirror = scene.materials[object.material.0 as usize].reflection > 0.0;
         match object.shape {
-            Shape::Plane { .. } | Shape::Polygon { .. } | Shape::Disc { .. } => counts[0] += u32::from(is_mirror),
+            Shape::Plane { .. } | Shape::Polygon { .. } | Shape::Disc { .. } => {
+                counts[0] += u32::from(is_mirror);
+            }
             Shape::Sphere { .. } => counts[1] += u32::from(is_mirror),
             _ => {}
         }

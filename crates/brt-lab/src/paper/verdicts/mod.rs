@@ -73,7 +73,14 @@ pub(crate) fn table(verdicts: &[Verdict], findings: &Findings) -> Table {
         for name in &v.numbers {
             let value = findings.number(name).map_or("".into(), Into::into);
             let why = without_elements(&v.why);
-            table.push([v.claim.into(), v.outcome.name().into(), v.figure.into(), name.into(), value, (&why).into()]);
+            table.push([
+                v.claim.into(),
+                v.outcome.name().into(),
+                v.figure.into(),
+                name.into(),
+                value,
+                (&why).into(),
+            ]);
         }
     }
     table
@@ -127,12 +134,8 @@ mod tests {
 
     #[test]
     fn rules_follow_the_numbers() {
-        let subjects = Subjects::new(&crate::paper::Options {
-            sizes: vec![16],
-            repeat: 1,
-            quick: true,
-            scene: None,
-        });
+        let subjects =
+            Subjects::new(&crate::paper::Options { sizes: vec![16], repeat: 1, quick: true, scene: None });
         let subjects = subjects.unwrap();
         let outcome = |full: f64, border: f64| {
             let mut findings = Findings::default();

@@ -50,7 +50,8 @@ fn p1(bench: &Bench) -> Verdict {
     };
     let families = [Family::Standard, Family::Interpolation, Family::Hybrid];
     let best = families.map(|f| best(&of_family(bench, "family-gain", f)));
-    let parts: Vec<_> = best.iter().map(|n| n.as_ref().and_then(|n| bench.test(n, |gain| gain > 1.1))).collect();
+    let parts: Vec<_> =
+        best.iter().map(|n| n.as_ref().and_then(|n| bench.test(n, |gain| gain > 1.1))).collect();
     let missing = METHODS.iter().any(|m| m.method.is_none()) || ACCELERATORS.iter().any(|a| a.1.is_none());
     let outcome = match Outcome::of(&parts) {
         Outcome::Holds if missing => Outcome::Partly,
