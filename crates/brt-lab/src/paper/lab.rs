@@ -113,7 +113,7 @@ impl<'a> Lab<'a> {
     fn has_enough(&self, runs: &[(f64, f64, Stats)]) -> bool {
         let total: f64 = runs.iter().map(|r| r.0).sum();
         let next = total + total / runs.len() as f64;
-        let is_short = !self.quick && total < SHORT_SECONDS;
+        let is_short = total < SHORT_SECONDS;
         next > self.longest || (runs.len() >= self.repeat && !is_short)
     }
 

@@ -74,7 +74,8 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
                 them is lost. Every method that judges by brightness and history alone has this flaw.",
         parts: vec![sheet(&cells)],
         caption: format!(
-            "{} balls of 1.5 to 3.75 pixels' radius, lit from the eye, each pixel shown {MAGNIFIED} wide; differences from \
+            "{} balls of 1.5 to 3.75 pixels' radius, lit from the eye, each inside a block of 16 pixels, \
+             so between the points of PSRT; each pixel shown {MAGNIFIED} wide; differences from \
              full ray tracing: black 0, violet 1 level, then red to yellow. Border ray tracing loses {} highlights and \
              {} balls, PSRT {} highlights and {} balls.",
             findings.show("balls", 0),
