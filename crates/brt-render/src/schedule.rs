@@ -16,6 +16,9 @@ use crate::run::Run;
 /// Bands are rendered together until there are this many tiles for each thread: enough to even out their costs.
 const TILES_PER_THREAD: u32 = 8;
 
+/// Bytes of a thread's stack: a thousand bounces nest, and each takes about 2 KiB.
+const STACK: usize = 16 << 20;
+
 /// Renders the tiles of a picture on a pool of threads.
 pub(crate) struct Schedule<'a> {
     job: &'a Job<'a>,
@@ -27,7 +30,7 @@ pub(crate) struct Schedule<'a> {
 
 impl<'a> Schedule<'a> {
     pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>) -> Result<Self, RenderError> {
-        let pool = ThreadPoolBuilder::new().num_threads(run.threads).build()?;
+        let pool = ThreadPoolBuilder::new().num_threads(run.threads).stack_size(STACK).build()?;
         Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()) })
     }
 

@@ -94,3 +94,23 @@ fn the_scan_line_method_keeps_the_shadow_of_a_plane_far_away() {
     let (full, scan_line) = (rendered(&scene, Method::Full, size), rendered(&scene, Method::ScanLine, size));
     assert_eq!(differing(&full, &scan_line), 0);
 }
+
+/// Between two walls of perfect glass every bounce doubles the rays: at depth 1000 that is for ever.
+#[test]
+fn glass_between_glass_ends_in_time_and_alike_for_full_and_reference() {
+    let mut scene = Scene::new(looking([0.0, 0.0, 3.0], [0.0, 0.0, 0.0], 30.0));
+    scene.max_depth = 1000;
+    let glass = scene.add_material(Material {
+        reflection: 1.0,
+        transmission: 1.0,
+        index_of_refraction: 1.5,
+        ..Material::matte("glass", rgb(0.1, 0.1, 0.1))
+    });
+    for distance in [-1.0, 0.0, 1.0] {
+        scene.add(Shape::Plane { normal: vec3(0.0, 0.0, 1.0), distance }, glass);
+    }
+    let size = [2, 1];
+    let (full, reference) = (rendered(&scene, Method::Full, size), rendered(&scene, Method::Reference, size));
+    assert_eq!(differing(&full, &reference), 0);
+    assert_eq!(full.stats.rays.mirror + full.stats.rays.refracted, 2 << 16);
+}

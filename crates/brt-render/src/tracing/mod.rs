@@ -14,6 +14,10 @@ mod shadow_space;
 mod tracer;
 
 pub(crate) use bounding_spheres::BoundingSpheres;
+/// No sample follows more mirror and refracted rays: between glass walls their number doubles at every bounce. Those
+/// beyond it end like those at the depth limit.
+const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;
+
 pub use first_seen::FirstSeen;
 pub(crate) use interaction::Interaction;
 pub(crate) use pencil::PencilTracer;

@@ -3,6 +3,7 @@
 use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
+use super::MOST_RAYS_PER_SAMPLE;
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met};
@@ -10,10 +11,11 @@ use crate::products::{PreparedLight, PreparedScene};
 
 /// Colour along a camera ray.
 pub(crate) fn reference_sample(scene: &PreparedScene, ray: &Ray, max_depth: u32) -> Rgb {
-    color_along(scene, ray, FROM_NOWHERE, max_depth)
+    let mut rays_left = MOST_RAYS_PER_SAMPLE;
+    color_along(scene, ray, FROM_NOWHERE, max_depth, &mut rays_left)
 }
 
-fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32) -> Rgb {
+fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, rays_left: &mut u32) -> Rgb {
     let Some(met) = nearest(scene, ray, from, f64::INFINITY, |_| true) else { return scene.background };
     let here = Interaction::at(scene, ray, met.primitive, met.t);
     let mut color = here.body * here.material.ambient;
@@ -33,13 +35,17 @@ fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32) -
             None => mirror_share += here.material.transmission,
         }
     }
-    if mirror_share > 0.0 {
+    if mirror_share > 0.0 && *rays_left > 0 {
+        *rays_left -= 1;
         let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1) * mirror_share;
+        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1, rays_left) * mirror_share;
     }
-    if let Some(ray) = through {
+    if let Some(ray) = through
+        && *rays_left > 0
+    {
+        *rays_left -= 1;
         let share = here.material.transmission;
-        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1) * share;
+        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1, rays_left) * share;
     }
     color
 }

@@ -3,6 +3,7 @@
 use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
+use super::MOST_RAYS_PER_SAMPLE;
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met, Search};
@@ -35,6 +36,8 @@ pub(crate) struct Tracer<'a> {
     history: RayHistory,
     /// Bits of lights that the next hit is known to see.
     lights_seen: u64,
+    /// How many mirror and refracted rays may still follow for this sample.
+    rays_left: u32,
     pub(crate) counters: Counters,
 }
 
@@ -42,7 +45,7 @@ impl<'a> Tracer<'a> {
     pub(crate) fn new(scene: &'a PreparedScene, history_kind: HistoryKind, max_depth: u32) -> Self {
         let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
-        Self { scene, search, history_kind, max_depth, history, lights_seen: 0, counters }
+        Self { scene, search, history_kind, max_depth, history, lights_seen: 0, rays_left: 0, counters }
     }
 
     /// Everything counted since the last call.
@@ -55,6 +58,7 @@ impl<'a> Tracer<'a> {
     #[inline]
     pub(crate) fn trace(&mut self, ray: &Ray, first: FirstHit, lights_seen: u64) -> TracedSample {
         self.lights_seen = lights_seen;
+        self.rays_left = MOST_RAYS_PER_SAMPLE;
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
         let met = match first {
@@ -114,16 +118,25 @@ impl<'a> Tracer<'a> {
                 }
             }
         }
-        if mirror_share > 0.0 {
+        if mirror_share > 0.0 && self.may_follow() {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
             color = color + self.color_along(&ray, from, left) * mirror_share;
         }
-        if let Some(ray) = through {
+        if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
             color = color + self.color_along(&ray, from, left) * here.material.transmission;
         }
         color
+    }
+
+    fn may_follow(&mut self) -> bool {
+        if self.rays_left == 0 {
+            self.history.push(Step::DepthEnd);
+            return false;
+        }
+        self.rays_left -= 1;
+        true
     }
 
     #[inline]
