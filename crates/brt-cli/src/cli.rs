@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::commands::{compare, convert, formats, inspect, paper, render, scene};
+use crate::commands::{compare, convert, formats, inspect, paper, peers, render, scene};
 use crate::exit::{Failure, Outcome};
 
 /// Border ray tracing: noise-free stills whose cost grows with the borders in the picture, not with its pixels.
@@ -30,6 +30,8 @@ enum Command {
     Formats,
     /// Measure every table and figure of the 1987 paper here, as one page
     Paper(paper::Options),
+    /// Time the same scenes in POV-Ray and Tachyon, and compare the pictures
+    Peers(peers::Options),
 }
 
 /// Does what the command line asks for.
@@ -46,6 +48,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
         Command::Scene(options) => scene::run(&options),
         Command::Formats => formats::run(),
         Command::Paper(options) => paper::run(&options),
+        Command::Peers(options) => peers::run(&options),
     }
 }
 

@@ -18,7 +18,11 @@ fn the_format_is_known_by_extension_or_content() {
         assert_eq!(loaded.text, text);
         assert!(loaded.scene.objects.len() >= 5);
     }
-    assert!(Format::ALL.iter().all(|format| (format.reads() || format.writes()) && !format.extensions().is_empty()));
+    assert!(
+        Format::ALL
+            .iter()
+            .all(|format| (format.reads() || format.writes()) && !format.extensions().is_empty())
+    );
 }
 
 #[test]

@@ -5,6 +5,7 @@ pub(crate) mod convert;
 pub(crate) mod formats;
 pub(crate) mod inspect;
 pub(crate) mod paper;
+pub(crate) mod peers;
 pub(crate) mod render;
 pub(crate) mod scene;
 mod text_file;

@@ -62,10 +62,11 @@ fn of_render() {
 fn of_the_others() {
     mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);
     mentions("inspect", &["<SCENE>", "--json", "--max-objects", "--max-bytes"]);
-    mentions("convert", &["<IN>", "<OUT.toml>"]);
+    mentions("convert", &["<IN>", "<OUT>", ".pov", ".dat", "-s, --size"]);
+    mentions("peers", &["[SCENES]", "-o, --output", "--sizes", "--repeat", "--timeout"]);
     mentions("scene", &["[NAME]", "--size", "-o, --output"]);
     mentions("formats", &["Usage"]);
-    mentions("", &["render", "compare", "inspect", "convert", "scene", "formats"]);
+    mentions("", &["render", "compare", "inspect", "convert", "scene", "formats", "peers"]);
 }
 
 #[test]

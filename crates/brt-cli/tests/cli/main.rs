@@ -5,6 +5,7 @@ mod compare;
 mod failures;
 mod help;
 mod paper;
+mod peers;
 mod render;
 mod scenes;
 mod wrong_use;

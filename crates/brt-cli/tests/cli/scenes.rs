@@ -58,7 +58,7 @@ fn scenes_are_listed_and_written() {
 #[test]
 fn formats_are_listed() {
     let list = Bench::new().done("formats");
-    for extension in [".toml", ".nff", ".png", ".ppm", ".exr"] {
+    for extension in [".toml", ".nff", ".pov", ".dat", ".png", ".ppm", ".exr"] {
         assert!(list.text().contains(extension), "{extension}");
     }
 }

@@ -1,1 +1,171 @@
 //! The same scenes through other ray tracers, side by side with ours.
+//!
+//! Each scene is written for each peer so that the pictures agree, and rendered by everybody with one thread, in turns.
+//! What counts is processor time less start-up; how far the pictures agree is measured beside it, since times of
+//! programs that draw different things mean nothing.
+
+mod bench;
+mod entrant;
+mod findings;
+mod machine;
+mod page;
+mod picture;
+mod process;
+mod program;
+mod table;
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use brt::image::{DecodeError, EncodeError, SizeMismatch};
+use brt::{Scene, Target};
+use thiserror::Error;
+
+pub use crate::paper::Watch;
+use bench::Bench;
+use findings::Findings;
+use process::Patience;
+use program::{Peer, Presence};
+
+/// What is measured.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Scenes that passed their check, with their names.
+    pub scenes: Vec<(String, Scene)>,
+    /// Longer sides of the pictures; errors are measured at the first.
+    pub sizes: Vec<u32>,
+    /// Runs of which the median counts.
+    pub repeat: u32,
+    /// How long a single run may take.
+    pub timeout: Duration,
+    /// The program `brt`.
+    pub ours: PathBuf,
+}
+
+/// What came of it.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// The table for a terminal.
+    pub table: String,
+    /// What is missing, what could not be written for a peer, what went wrong.
+    pub notes: Vec<String>,
+    /// The page that was written; `peers.csv` lies beside it.
+    pub page: PathBuf,
+}
+
+/// Why nothing was measured.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum PeersError {
+    /// The user stopped it.
+    #[error("stopped")]
+    Cancelled,
+    /// A file cannot be read or written.
+    #[error("cannot write {}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Our own program does not work.
+    #[error("{scene}: brt itself {problem}")]
+    Ours {
+        /// The scene.
+        scene: String,
+        /// What happened.
+        problem: String,
+    },
+    /// A picture of ours cannot be read.
+    #[error(transparent)]
+    Decode(#[from] DecodeError),
+    /// A picture does not fit into the page.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// Pictures are not of one size.
+    #[error(transparent)]
+    Size(#[from] SizeMismatch),
+}
+
+/// Measures, and writes `peers.csv` and `peers.html` into the folder, which is made if need be. The scenes as the peers
+/// read them stay there, too.
+///
+/// # Errors
+/// See [`PeersError`]. A peer that is missing, fails or hangs is no error but a note.
+pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, PeersError> {
+    fs::create_dir_all(folder).map_err(|source| PeersError::File { path: folder.to_owned(), source })?;
+    let load_before = machine::load();
+    let patience = Patience { timeout: options.timeout, cancel: watch.cancel };
+    let mut notes = Vec::new();
+    let mut conditions = vec![machine::processor(), format!("Measured on {} (UTC)", machine::today())];
+    conditions.push(format!("brt {}", env!("CARGO_PKG_VERSION")));
+    let present = find_peers(patience, &mut notes, &mut conditions)?;
+    let mut bench = Bench::new(options, folder, watch, &present, notes);
+    for (name, scene) in &options.scenes {
+        bench.measure(name, scene)?;
+    }
+    let mut findings = bench.finish(conditions);
+    findings.conditions.extend(noise(&findings, load_before));
+    write(&folder.join("peers.csv"), &table::csv(&findings))?;
+    let page = folder.join("peers.html");
+    write(&page, &page::html(&findings))?;
+    let mut table = table::text(&findings);
+    table.push('\n');
+    for condition in &findings.conditions {
+        table.push_str(&format!("\n{condition}"));
+    }
+    Ok(Summary { table, notes: findings.notes, page })
+}
+
+fn find_peers(
+    patience: Patience,
+    notes: &mut Vec<String>,
+    conditions: &mut Vec<String>,
+) -> Result<Vec<Peer>, PeersError> {
+    let mut present = Vec::new();
+    for peer in Peer::ALL {
+        let name = peer.name();
+        match peer.presence(patience).map_err(|_| PeersError::Cancelled)? {
+            Presence::Installed(version) => {
+                conditions.push(format!("{name} {version}"));
+                present.push(peer);
+            }
+            Presence::Absent => notes.push(format!(
+                "{name} is not installed; on Debian and its relatives: apt-get install {}",
+                peer.command()
+            )),
+            Presence::Broken(problem) => notes.push(format!("{name} is left out: {problem}")),
+        }
+    }
+    if present.is_empty() {
+        notes.insert(0, "no peer can be run, only brt is measured".to_owned());
+    }
+    Ok(present)
+}
+
+/// How much the times are to be trusted.
+fn noise(findings: &Findings, load_before: Option<f64>) -> Vec<String> {
+    /// Runs of the same work that differ more than this were disturbed.
+    const QUIET: f64 = 0.1;
+    let mut lines = Vec::new();
+    if let Some(spread) = findings.spread() {
+        let word = if spread > QUIET { "noisy" } else { "quiet" };
+        let percent = 100.0 * spread;
+        lines.push(format!(
+            "A {word} machine: runs of the same work differ by {percent:.0} % (min to max, in the middle)"
+        ));
+    }
+    lines.extend(load_before.map(|load| format!("Load of the machine before: {load:.1}")));
+    lines
+}
+
+fn write(path: &Path, text: &str) -> Result<(), PeersError> {
+    let put = || {
+        let mut file = Target::File(path.to_owned()).open()?;
+        file.write_all(text.as_bytes())?;
+        file.commit()
+    };
+    put().map_err(|source| PeersError::File { path: path.to_owned(), source })
+}

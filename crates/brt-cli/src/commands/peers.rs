@@ -1,0 +1,94 @@
+//! `brt peers`: the same scenes through other ray tracers, side by side with ours.
+
+use std::ffi::OsStr;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use brt::{Scene, library};
+use brt_lab::peers::{self, PeersError, Watch};
+use clap::Args;
+
+use crate::exit::{Failure, Outcome, wrong_use};
+use crate::scene_input::{self, LimitOptions};
+use crate::{interrupt, output};
+
+/// Pixels that a scene file may ask for; only its proportions are used here.
+const MAX_PIXELS: u64 = 1 << 32;
+
+/// Options of `brt peers`.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Scene files, or names of our own scenes
+    #[arg(value_name = "SCENES", default_values = ["seed-a", "seed-b", "seed-c"])]
+    scenes: Vec<PathBuf>,
+    /// Folder for the page, its table and the scenes as the peers read them, made if need be
+    #[arg(short, long, value_name = "DIR", default_value = "peers-out")]
+    output: PathBuf,
+    /// Longer sides of the pictures that are timed; their errors are measured at the first
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_values_t = [512, 1024, 2048],
+          value_parser = clap::value_parser!(u32).range(16..=32_768))]
+    sizes: Vec<u32>,
+    /// Runs of which the median counts
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
+    repeat: u32,
+    /// Stop a single run after this time
+    #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    timeout: u64,
+    /// Options that bound scenes
+    #[command(flatten)]
+    limits: LimitOptions,
+}
+
+/// Measures, and writes the page.
+pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+    let measured = peers::Options {
+        scenes: scenes(options)?,
+        sizes: options.sizes.clone(),
+        repeat: options.repeat,
+        timeout: Duration::from_secs(options.timeout),
+        ours: std::env::current_exe()?,
+    };
+    let seen = output::errors_are_seen();
+    let doing = |what: &str| {
+        if seen {
+            output::note(what);
+        }
+    };
+    let watch = Watch { doing: &doing, cancel: Some(interrupt::listen()) };
+    let summary = peers::run(&measured, &options.output, watch).map_err(failure)?;
+    for note in &summary.notes {
+        output::note(&format!("note: {note}"));
+    }
+    output::line(&summary.table);
+    output::line(&summary.page.display().to_string());
+    Ok(Outcome::Done)
+}
+
+/// Files first: a name of ours may be that of a file, too.
+fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
+    let mut scenes: Vec<(String, Scene)> = Vec::new();
+    for path in &options.scenes {
+        let named = path.to_str().and_then(library::find).filter(|_| !path.exists());
+        let scene = match named {
+            Some(named) => named.build(None)?,
+            None => {
+                let input = scene_input::read(path, &options.limits.limits(MAX_PIXELS))?;
+                input.show_warnings();
+                input.scene
+            }
+        };
+        let name = path.file_stem().unwrap_or(OsStr::new("scene")).to_string_lossy().into_owned();
+        if scenes.iter().any(|(known, _)| *known == name) {
+            return Err(wrong_use(format!("two scenes are named `{name}`")));
+        }
+        scenes.push((name, scene));
+    }
+    Ok(scenes)
+}
+
+fn failure(error: PeersError) -> Failure {
+    match error {
+        PeersError::Cancelled => Failure::Interrupted,
+        error => error.into(),
+    }
+}
