@@ -64,9 +64,10 @@ fn of_the_others() {
     mentions("inspect", &["<SCENE>", "--json", "--max-objects", "--max-bytes"]);
     mentions("convert", &["<IN>", "<OUT>", ".pov", ".dat", "-s, --size"]);
     mentions("peers", &["[SCENES]", "-o, --output", "--sizes", "--repeat", "--timeout"]);
+    mentions("paper", &["-o, --output", "--sizes", "--repeat", "--scene", "--quick", "--max-objects"]);
     mentions("scene", &["[NAME]", "--size", "-o, --output"]);
     mentions("formats", &["Usage"]);
-    mentions("", &["render", "compare", "inspect", "convert", "scene", "formats", "peers"]);
+    mentions("", &["render", "compare", "inspect", "convert", "scene", "formats", "paper", "peers"]);
 }
 
 #[test]
