@@ -5,7 +5,7 @@
 //! warning in the report, with its place in the file. Reading is bounded by [`Limits`], never recurses without
 //! bound, never panics, and prints nothing: whoever shows a report draws it over [`Loaded::text`].
 //!
-//! Scenes are written, too ([`write`]): exactly in our own format, and for other ray tracers as well as they can show
+//! Scenes are written, too ([`write()`]): exactly in our own format, and for other ray tracers as well as they can show
 //! them; what they cannot is a warning in the report.
 //!
 //! ```

@@ -107,7 +107,7 @@ fn the_check_of_the_scene_has_places() {
         sphere("center = [1e31, 0, 0]\nradius = -1\n"),
         [
             "10: a coordinate is not finite or too large, expected finite numbers up to 1e30",
-            "11: `radius` is -1, expected a finite number above 0",
+            "11: `radius` is -1, expected a finite number above 0, from 1e-30 to 1e30",
         ]
     );
     // `up` is left out: the place is that of the camera.

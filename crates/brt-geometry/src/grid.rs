@@ -9,6 +9,10 @@ const CELLS_PER_ITEM: f64 = 4.0;
 /// Most cells along an axis.
 const MOST_CELLS: f64 = 128.0;
 
+/// Entries in cells that are always allowed, and for each item besides: what bounds the grid's memory.
+const MOST_ENTRIES: u64 = 1 << 21;
+const ENTRIES_PER_ITEM: u64 = 32;
+
 /// A uniform grid over boxes with items.
 #[derive(Clone, Debug)]
 pub struct Grid {
@@ -28,20 +32,31 @@ impl Grid {
         let size = whole.hi - whole.lo;
         let margin = Vec3::splat(4.0 * BOX_MARGIN * size.x.max(size.y).max(size.z));
         let (lo, size) = (whole.lo - margin, size + margin * 2.0);
-        let count = cell_counts(size, boxes.len());
-        let cell: [f64; 3] = std::array::from_fn(|axis| size[axis] / count[axis] as f64);
-        let mut grid = Self { lo, cell: cell.into(), count, starts: Vec::new(), items: Vec::new() };
-        grid.distribute(boxes, margin * 0.5);
-        grid
+        let mut count = cell_counts(size, boxes.len());
+        loop {
+            let cell: [f64; 3] = std::array::from_fn(|axis| size[axis] / count[axis] as f64);
+            let mut grid = Self { lo, cell: cell.into(), count, starts: Vec::new(), items: Vec::new() };
+            let ranges: Vec<_> = boxes.iter().map(|(_, b)| grid.cells_of(b, margin * 0.5)).collect();
+            let entries: u64 = ranges.iter().map(cells_in).sum();
+            if entries <= MOST_ENTRIES + ENTRIES_PER_ITEM * boxes.len() as u64 || count == [1; 3] {
+                grid.distribute(boxes, &ranges);
+                return grid;
+            }
+            // Large items fill many cells: fewer cells are needed.
+            count = count.map(|n| n.div_ceil(2));
+        }
     }
 
-    /// Puts every item into the cells that its box, grown by a margin for the walk's rounding, reaches.
-    fn distribute(&mut self, boxes: &[(u32, Aabb)], margin: Vec3) {
-        let ranges: Vec<[[usize; 3]; 2]> =
-            boxes.iter().map(|(_, b)| [self.cell_at(b.lo - margin), self.cell_at(b.hi + margin)]).collect();
+    /// First and last cell that a box, grown by a margin for the walk's rounding, reaches.
+    fn cells_of(&self, bounds: &Aabb, margin: Vec3) -> CellRange {
+        [self.cell_at(bounds.lo - margin), self.cell_at(bounds.hi + margin)]
+    }
+
+    /// Puts every item into its cells.
+    fn distribute(&mut self, boxes: &[(u32, Aabb)], ranges: &[CellRange]) {
         let total = self.count.iter().product::<usize>();
         let mut starts = vec![0_u32; total + 1];
-        for range in &ranges {
+        for range in ranges {
             self.for_cells(range, |cell| starts[cell + 1] += 1);
         }
         (0..total).for_each(|i| starts[i + 1] += starts[i]);
@@ -56,7 +71,7 @@ impl Grid {
         (self.starts, self.items) = (starts, items);
     }
 
-    fn for_cells(&self, [lo, hi]: &[[usize; 3]; 2], mut visit: impl FnMut(usize)) {
+    fn for_cells(&self, [lo, hi]: &CellRange, mut visit: impl FnMut(usize)) {
         for z in lo[2]..=hi[2] {
             for y in lo[1]..=hi[1] {
                 (lo[0]..=hi[0]).for_each(|x| visit(self.index([x, y, z])));
@@ -163,6 +178,13 @@ impl Grid {
     }
 }
 
+/// First and last cell.
+type CellRange = [[usize; 3]; 2];
+
+fn cells_in([lo, hi]: &CellRange) -> u64 {
+    (0..3).map(|axis| (hi[axis] - lo[axis] + 1) as u64).product()
+}
+
 /// The neighbouring cell, `None` beyond the grid.
 fn step(position: usize, forward: bool, count: usize) -> Option<usize> {
     if forward { Some(position + 1).filter(|&p| p < count) } else { position.checked_sub(1) }
@@ -173,4 +195,17 @@ fn cell_counts(size: Vec3, items: usize) -> [usize; 3] {
     let volume = size.x * size.y * size.z;
     let side = (volume / (CELLS_PER_ITEM * items.max(1) as f64)).cbrt();
     std::array::from_fn(|axis| (size[axis] / side).clamp(1.0, MOST_CELLS) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_items_as_large_as_the_room_take_bounded_memory() {
+        let room = Aabb::around(Vec3::ZERO, Vec3::splat(1.0));
+        let boxes: Vec<(u32, Aabb)> = (0..200_000).map(|i| (i, room)).collect();
+        let grid = Grid::build(&boxes);
+        assert!(grid.items.len() as u64 <= MOST_ENTRIES + ENTRIES_PER_ITEM * 200_000, "{}", grid.items.len());
+    }
 }

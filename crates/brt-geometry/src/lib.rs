@@ -2,7 +2,8 @@
 //!
 //! Every predicate (hit, order, inside) stands here once, generic over [`Real`].
 //!
-//! This page owns every tolerance of the project; no other file may contain one. A ray that leaves a primitive skips the
+//! This page owns every tolerance of geometry and rendering, but for the units of rounding that bounds add up
+//! (`taylor.rs`, `bvh/traverse.rs`). A ray that leaves a primitive skips the
 //! root at its origin instead of an epsilon.
 
 mod aabb;

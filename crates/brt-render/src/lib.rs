@@ -1,6 +1,6 @@
 //! Rendering: from a scene to rows of a picture.
 //!
-//! [`render`] reads like the paper's summary: a perspective image is made without rays, it chooses the samples that
+//! [`render()`] reads like the paper's summary: a perspective image is made without rays, it chooses the samples that
 //! are traced, and the others are filled. This crate does no input or output and prints nothing. The same settings
 //! give the same bytes for every number of threads and every order of tiles.
 

@@ -1,6 +1,8 @@
 //! What is rendered: everything that a picture depends on besides the scene.
 
-use crate::methods::{BorderSettings, PencilSettings, PixelSelectedSettings};
+use brt_scene::Scene;
+
+use crate::methods::{BorderSettings, Judge, PencilSettings, PixelSelectedSettings};
 use crate::picture::{Filter, Layer};
 use crate::products::SampleGrid;
 
@@ -58,6 +60,13 @@ impl Settings {
         let [width, height] = self.size;
         if !(1..=GREATEST_SIDE).contains(&width) || !(1..=GREATEST_SIDE).contains(&height) {
             return Err(format!("{width}×{height} pixels: each side must be from 1 to {GREATEST_SIDE}"));
+        }
+        if self.max_depth.is_some_and(|depth| depth > Scene::GREATEST_MAX_DEPTH) {
+            return Err(format!("a depth of at most {} bounces can be followed", Scene::GREATEST_MAX_DEPTH));
+        }
+        let threshold = self.method.threshold();
+        if threshold.is_nan() || threshold < 0.0 {
+            return Err(format!("the threshold {threshold} must be at least 0"));
         }
         let block = match &self.method {
             Method::PixelSelected(settings) => settings.block,
@@ -135,6 +144,20 @@ pub enum Method {
 }
 
 impl Method {
+    /// Δ or tolerance; 0 where there is none.
+    fn threshold(&self) -> f64 {
+        match self {
+            Self::PixelSelected(settings) => settings.delta.0,
+            Self::Pencil(settings) => settings.tolerance,
+            Self::Border(settings) => match settings.judge {
+                Judge::Variance(delta) => delta.0,
+                Judge::Deviation(delta) => delta.0,
+                Judge::Difference(delta) => delta.0,
+            },
+            _ => 0.0,
+        }
+    }
+
     /// Does it look for what a bundle of rays may meet?
     pub(crate) fn needs_bounding_spheres(&self) -> bool {
         matches!(self, Self::ScanLine | Self::Pencil(_))

@@ -8,6 +8,9 @@ use crate::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
 /// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
 pub(crate) const GREATEST_COORDINATE: f64 = 1e30;
 
+/// Lengths below this cannot be traced: their fourth powers must stay far from 0.
+pub(crate) const SMALLEST_LENGTH: f64 = 1e-30;
+
 /// A part of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -55,6 +58,10 @@ impl Scene {
                 Place::Scene("background"),
                 fault("a channel is not a finite number", "three finite numbers"),
             );
+        }
+        if self.max_depth > Self::GREATEST_MAX_DEPTH {
+            let message = format!("{} bounces are too many", self.max_depth);
+            found(Place::Scene("max_depth"), fault(message, "a number from 0 to 1000"));
         }
         check_camera(&self.camera, &mut |field, f| found(Place::Camera(field), f));
         for (i, light) in self.lights.iter().enumerate() {
@@ -259,8 +266,8 @@ fn check_direction(field: &'static str, d: Vec3, found: Found) {
 }
 
 fn check_length(field: &'static str, length: f64, found: Found) {
-    if !(length > 0.0 && length <= GREATEST_COORDINATE) {
-        found(field, fault(format!("`{field}` is {length}"), "a finite number above 0"));
+    if !(SMALLEST_LENGTH..=GREATEST_COORDINATE).contains(&length) {
+        found(field, fault(format!("`{field}` is {length}"), "a finite number above 0, from 1e-30 to 1e30"));
     }
 }
 

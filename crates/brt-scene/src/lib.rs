@@ -50,6 +50,9 @@ impl Scene {
     /// Bounce limit of a scene that names none: that of the seed scenes.
     pub const DEFAULT_MAX_DEPTH: u32 = 5;
 
+    /// Greatest bounce limit: bounces nest on a thread's stack.
+    pub const GREATEST_MAX_DEPTH: u32 = 1000;
+
     /// An empty scene before a black background.
     pub fn new(camera: Camera) -> Self {
         Self {

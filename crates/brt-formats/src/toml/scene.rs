@@ -18,9 +18,6 @@ use crate::problems::Problems;
 
 const KNOWN: &[&str] = &["size", "max_depth", "background", "camera", "light", "materials", "object"];
 
-/// Greatest bounce limit: deeper light is darker than any tolerance, and each level costs a stack frame.
-const GREATEST_DEPTH: u32 = 1000;
-
 /// A scene whose parts remember the values that they were read from.
 pub(super) struct Read<'v, 'a> {
     pub(super) scene: Scene,
@@ -55,7 +52,7 @@ pub(super) fn read_scene<'v, 'a>(
     fields.only(&[KNOWN]);
     let mut scene = Scene::new(stand_in());
     scene.size = fields.or("size", None, |v| size(v).map(Some)).flatten();
-    let depth = |v: &Value| whole(v, GREATEST_DEPTH, "a whole number from 0 to 1000");
+    let depth = |v: &Value| whole(v, Scene::GREATEST_MAX_DEPTH, "a whole number from 0 to 1000");
     scene.max_depth = fields.or("max_depth", scene.max_depth, depth).unwrap_or(scene.max_depth);
     scene.background = fields.or("background", Rgb::BLACK, color).unwrap_or(Rgb::BLACK);
     match fields.value("camera") {

@@ -39,7 +39,9 @@ impl<'a> Interaction<'a> {
             Primitive::Triangle(triangle) if info.normals != NO_NORMALS => {
                 let [a, b, c] = scene.normals[info.normals as usize];
                 let [wa, wb, wc] = triangle.weights(ray);
-                (a * wa + b * wb + c * wc).normalize()
+                // Opposite normals cancel: where nothing is left the face's own is taken.
+                let mean = a * wa + b * wb + c * wc;
+                if mean.length_squared() > 0.0 { mean.normalize() } else { outward }
             }
             _ => outward,
         };

@@ -1,6 +1,6 @@
 //! Tracing: the colour and ray history of a sample.
 //!
-//! [`reference`] is the oracle: one plain recursion over all primitives. [`tracer`] is what methods use. Both share the
+//! [`mod@reference`] is the oracle: one plain recursion over all primitives. [`tracer`] is what methods use. Both share the
 //! primitives' predicates, [`interaction`] and [`illumination`], and give the same bits.
 
 mod bounding_spheres;

@@ -40,7 +40,7 @@ pub(crate) struct Options {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) filter: FilterName,
     /// Greatest number of bounces after the camera ray [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(brt::Scene::GREATEST_MAX_DEPTH)))]
     pub(crate) max_depth: Option<u32>,
     /// Bits of a channel, for .png and .ppm [default: 8]
     #[arg(long, value_name = "N", value_parser = values::bits())]
