@@ -156,6 +156,8 @@ fn noise(findings: &Findings, load_before: Option<f64>) -> Vec<String> {
         lines.push(format!(
             "A {word} machine: runs of the same work differ by {percent:.0} % (min to max, in the middle)"
         ));
+    } else {
+        lines.push("One run each: how noisy the machine is is not known".to_owned());
     }
     lines.extend(load_before.map(|load| format!("Load of the machine before: {load:.1}")));
     lines

@@ -8,10 +8,11 @@ use crate::plot::escape;
 /// The laboratory's pages look alike.
 const STYLE: &str = include_str!("../paper/page.css");
 /// What this page has beyond.
-const OWN_STYLE: &str = "th.n { text-align: right; } tbody th { font-weight: 400; white-space: nowrap; }
+const OWN_STYLE: &str = "th.n { text-align: right; white-space: nowrap; } tbody th { font-weight: 400; white-space: nowrap; }
 td.n { white-space: nowrap; } tr.ours th, tr.ours td { background: var(--band); } tr.group th { font-weight: 600; }
-.strip { display: flex; flex-wrap: wrap; gap: .8rem; margin: .8rem 0 1.6rem; } figcaption { max-width: 208px; }
-.strip img { width: 208px; height: auto; }
+.strip { display: flex; flex-wrap: wrap; gap: .8rem; margin: .8rem 0 1.6rem; }
+.strip figure { margin: 0; width: 208px; } .strip figcaption { font-size: .88rem; color: var(--soft); }
+.strip img { display: block; width: 208px; height: auto; }
 ";
 
 /// The page as text.

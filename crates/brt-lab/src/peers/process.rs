@@ -33,7 +33,7 @@ pub(super) struct Ended {
 /// A run that did not.
 #[derive(Debug, Error)]
 pub(super) enum RunError {
-    #[error("not installed")]
+    #[error("was not found")]
     Missing,
     #[error("did not end within {0:?} and was stopped")]
     TimedOut(Duration),
