@@ -3,22 +3,14 @@
 //! They come from rounding where a primitive is not met where it is: the plain search over all primitives believes such
 //! hits, boxes do not. No picture that is looked at shows them.
 
+mod common;
+
 use brt_geometry::vec3;
 use brt_image::rgb;
-use brt_render::{HistoryKind, Layer, Method, Run, Settings};
+use brt_render::Method;
 use brt_scene::{Material, Scene, Shape};
-use brt_testkit::{Rendered, looking, render_with_layers};
-
-fn rendered(scene: &Scene, method: Method, size: [u32; 2]) -> Rendered {
-    assert_eq!(scene.check(), []);
-    let layers = vec![Layer::History];
-    let settings = Settings { method, layers, history: HistoryKind::Lit, ..Settings::new(size) };
-    render_with_layers(scene, &settings, &Run { threads: 1, ..Run::default() })
-}
-
-fn differing(a: &Rendered, b: &Rendered) -> usize {
-    a.colors.iter().zip(&b.colors).filter(|(a, b)| a != b).count()
-}
+use brt_testkit::looking;
+use common::{differing, rendered};
 
 /// Balls seen along an axis from a million times their distance from each other: discriminants round by more than the
 /// boxes' margin, and the tree's own rounding does not help across an axis.

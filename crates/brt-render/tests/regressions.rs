@@ -1,21 +1,13 @@
 //! Mistakes that random scenes found, each as the scene that shows it.
 
+mod common;
+
 use brt_geometry::vec3;
 use brt_image::rgb;
-use brt_render::{Accelerator, BorderSettings, HistoryKind, Layer, Method, Run, Settings};
+use brt_render::{Accelerator, BorderSettings, Method, Run, Settings};
 use brt_scene::{Light, Material, Mesh, Scene, Shape};
-use brt_testkit::{Rendered, looking, render_with_layers};
-
-fn rendered(scene: &Scene, method: Method, size: [u32; 2]) -> Rendered {
-    assert_eq!(scene.check(), []);
-    let layers = vec![Layer::History];
-    let settings = Settings { method, layers, history: HistoryKind::Lit, ..Settings::new(size) };
-    render_with_layers(scene, &settings, &Run { threads: 1, ..Run::default() })
-}
-
-fn differing(a: &Rendered, b: &Rendered) -> usize {
-    a.colors.iter().zip(&b.colors).filter(|(a, b)| a != b).count()
-}
+use brt_testkit::{looking, render_with_layers};
+use common::{differing, rendered};
 
 /// The eye exactly on a corner of a triangle that is otherwise behind it: the predicate finds a hit at a distance of
 /// one rounding, so the outline must not say "behind".
