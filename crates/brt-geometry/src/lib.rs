@@ -25,7 +25,7 @@ pub use extents::Extents;
 pub use grid::Grid;
 pub use index::SpatialIndex;
 pub use polygon_plane::{PolygonPlane, polygon_plane};
-pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
+pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, edge_functions};
 pub use ray::{Hit, Ray, Start};
 pub use real::{Exponent, Mask, Real};
 pub use taylor::{Taylor, Trilean};

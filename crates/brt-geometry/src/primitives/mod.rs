@@ -11,7 +11,7 @@ pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use plane::Plane;
-pub use polygon::{Polygon, Triangle};
+pub use polygon::{Polygon, Triangle, edge_functions};
 pub use sphere::Sphere;
 
 use crate::{Aabb, Hit, Ray, Real, Start, Vec3};
@@ -74,6 +74,16 @@ impl Primitive {
             Self::Disc(p) => Some(p.bounds()),
             Self::Cylinder(p) => Some(p.bounds()),
             Self::Cone(p) => Some(p.bounds()),
+        }
+    }
+
+    /// The plane and the corners of a flat primitive with straight edges; an infinite plane has none.
+    pub fn flat(&self) -> Option<(&Plane, &[Vec3])> {
+        match self {
+            Self::Plane(p) => Some((p, &[])),
+            Self::Triangle(p) => Some((&p.plane, &p.corners)),
+            Self::Polygon(p) => Some((&p.plane, &p.corners)),
+            Self::Sphere(_) | Self::Disc(_) | Self::Cylinder(_) | Self::Cone(_) => None,
         }
     }
 

@@ -23,16 +23,26 @@ impl Plane {
         if start == Start::OnPrimitive {
             return Hit::none();
         }
-        let n = self.normal.lift();
-        let ahead = R::constant(self.distance) - n.dot(ray.origin);
-        Hit::at(ahead / n.dot(ray.direction), R::Mask::TRUE)
+        Hit::at(self.ahead(ray) / self.facing(ray), R::Mask::TRUE)
+    }
+
+    /// How far the plane is from the ray's start, along the normal.
+    #[inline(always)]
+    pub fn ahead<R: Real>(&self, ray: &Ray<R>) -> R {
+        R::constant(self.distance) - self.normal.lift().dot(ray.origin)
+    }
+
+    /// How far the ray's direction goes along the normal.
+    #[inline(always)]
+    pub fn facing<R: Real>(&self, ray: &Ray<R>) -> R {
+        self.normal.lift().dot(ray.direction)
     }
 
     /// The nearest hit ahead with a flat piece of the plane: rays along it meet its edge at most, and miss.
     #[inline(always)]
     pub(super) fn first_hit_of_part<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
         let hit = self.first_hit(ray, start);
-        let facing = self.normal.lift().dot(ray.direction);
+        let facing = self.facing(ray);
         let crosses = (facing * facing).gt(R::constant(SMALLEST_ANGLE * SMALLEST_ANGLE) * ray.dd);
         Hit { found: hit.found & crosses, t: hit.t }
     }

@@ -74,16 +74,24 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
     let zero = R::constant(0.0);
     let mut left = R::Mask::TRUE;
     let mut right = R::Mask::TRUE;
-    let mut a = corners[corners.len() - 1].lift::<R>() - ray.origin;
-    for corner in corners {
-        let b = corner.lift::<R>() - ray.origin;
-        let side = ray.direction.dot(a.cross(b));
+    for side in edge_functions(corners, ray) {
         left = left & side.ge(zero);
         right = right & side.le(zero);
         if !(left | right).any() {
             return Hit::none();
         }
-        a = b;
     }
     Hit { found: hit.found & (left | right), t: hit.t }
+}
+
+/// On which side of each edge a ray passes: a flat primitive is met where no two of these differ in sign.
+#[inline(always)]
+pub fn edge_functions<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> impl Iterator<Item = R> {
+    let mut a = corners[corners.len() - 1].lift::<R>() - ray.origin;
+    corners.iter().map(move |corner| {
+        let b = corner.lift::<R>() - ray.origin;
+        let side = ray.direction.dot(a.cross(b));
+        a = b;
+        side
+    })
 }

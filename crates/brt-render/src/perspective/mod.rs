@@ -5,6 +5,9 @@
 //! blocks of a few samples goes through a Z-buffer. All decisions are the primitives' own predicates, so the image
 //! equals the first hits of the tracer on every sample.
 
+mod block_hit;
+mod depth_buffer;
+mod flat_forms;
 mod outlines;
 mod subdivide;
 

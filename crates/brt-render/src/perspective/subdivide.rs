@@ -1,35 +1,52 @@
 //! Painting a tile: bounds over blocks first, a Z-buffer for the rest.
 
-use brt_geometry::{Hit, Mask, Ray, Real, Start, Taylor};
+use brt_geometry::{Ray, Start, Taylor};
 
+use super::block_hit::BlockHit;
+use super::depth_buffer::{DepthBuffer, SIDE};
+use super::flat_forms::FlatForms;
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, NOTHING, PerspectiveImage, PreparedScene, Tile};
 
-/// Blocks of this side and less are not divided further: their samples go through the Z-buffer.
-const SMALLEST_BLOCK: u32 = 8;
+/// Primitives whose outlines have fewer samples in a tile are tested ray by ray: forms would not pay.
+const LEAST_SAMPLES_FOR_FORMS: u32 = 64;
+
+/// Stands for "no forms".
+const NO_FORMS: u32 = u32::MAX;
 
 /// Paints tiles of the perspective image; keeps its working memory.
 pub(crate) struct Painter<'a> {
     scene: &'a PreparedScene,
     camera: &'a PreparedCamera,
+    /// Forms of the tile's larger flat primitives.
+    forms: Vec<FlatForms>,
     /// Candidates of the blocks that are open, each block's behind its parent's.
-    candidates: Vec<Outline>,
-    /// Hits of the candidates of one block.
-    hits: Vec<Option<Hit<Taylor>>>,
+    candidates: Vec<Candidate>,
+    /// Hits of the candidates of one block; `None` where they were not looked for.
+    hits: Vec<Option<BlockHit>>,
+    buffer: DepthBuffer<'a>,
+}
+
+/// A primitive that may be seen in a block.
+#[derive(Clone, Copy)]
+struct Candidate {
+    outline: Outline,
+    /// Position of its forms or [`NO_FORMS`].
+    forms: u32,
 }
 
 impl<'a> Painter<'a> {
     pub(crate) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera) -> Self {
-        Self { scene, camera, candidates: Vec::new(), hits: Vec::new() }
+        let buffer = DepthBuffer::new(scene, camera);
+        Self { scene, camera, forms: Vec::new(), candidates: Vec::new(), hits: Vec::new(), buffer }
     }
 
     /// Paints a tile, given the outlines that reach into it in the order of primitives.
     pub(crate) fn paint(&mut self, tile: &Tile, outlines: &[Outline], image: &mut PerspectiveImage) {
         image.reset(tile);
-        self.candidates.clear();
-        self.candidates.extend_from_slice(outlines);
         let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
+        self.start_with(tile, area, outlines);
         self.paint_area(area, 0, &mut Canvas { tile, image, scene: self.scene });
     }
 
@@ -65,21 +82,38 @@ impl<'a> Painter<'a> {
         }
     }
 
+    /// Makes the outlines the tile's candidates.
+    fn start_with(&mut self, tile: &Tile, area: Area, outlines: &[Outline]) {
+        self.forms.clear();
+        self.candidates.clear();
+        let rays = self.block_of_rays(area);
+        for outline in outlines {
+            let samples = |part: Area| (part.x1 - part.x0) * (part.y1 - part.y0);
+            let pays = self.camera.is_perspective
+                && outline.clip(&area).is_some_and(|part| samples(part) >= LEAST_SAMPLES_FOR_FORMS);
+            let primitive = &self.scene.primitives[outline.primitive as usize];
+            let forms = pays.then(|| FlatForms::new(primitive, &rays, tile)).flatten();
+            let place = if forms.is_some() { self.forms.len() as u32 } else { NO_FORMS };
+            self.forms.extend(forms);
+            self.candidates.push(Candidate { outline: *outline, forms: place });
+        }
+    }
+
     /// Paints an area, its candidates being those from `first` on. Takes them off the list.
     fn paint_area(&mut self, area: Area, first: usize, canvas: &mut Canvas) {
-        self.keep_what_may_be_seen(area, first);
+        self.keep_what_may_be_seen(area, first, canvas.tile);
         let left = &self.candidates[first..];
         if left.is_empty() {
             canvas.fill(area, NOTHING);
-        } else if left.len() == 1 && self.hits[0].is_some_and(|hit| hit.found.all()) {
-            canvas.fill(area, left[0].primitive);
-        } else if area.is_within(SMALLEST_BLOCK) {
+        } else if left.len() == 1 && self.hits[0].is_some_and(|hit| hit.is_everywhere) {
+            canvas.fill(area, left[0].outline.primitive);
+        } else if area.is_within(SIDE as u32) {
             self.paint_samples(area, first, canvas);
         } else {
             for part in area.quarters() {
                 let end = self.candidates.len();
                 for i in first..end {
-                    if self.candidates[i].meets(&part) {
+                    if self.candidates[i].outline.meets(&part) {
                         self.candidates.push(self.candidates[i]);
                     }
                 }
@@ -90,22 +124,23 @@ impl<'a> Painter<'a> {
     }
 
     /// Removes candidates that certainly miss the area or are certainly behind one that covers it.
-    fn keep_what_may_be_seen(&mut self, area: Area, first: usize) {
-        let ray = self.block_of_rays(area);
+    fn keep_what_may_be_seen(&mut self, area: Area, first: usize, tile: &Tile) {
+        let rays = self.block_of_rays(area);
         self.hits.clear();
-        let scene = self.scene;
-        // Small primitives cannot cover the area; bounds on them rarely pay.
-        self.hits.extend(self.candidates[first..].iter().map(|outline| {
-            let primitive = &scene.primitives[outline.primitive as usize];
-            outline.contains(&area).then(|| primitive.first_hit(&ray, Start::Elsewhere))
-        }));
-        let covering = |hit: &Option<Hit<Taylor>>| hit.filter(|hit| hit.found.all());
-        let greatest = |hit: &Hit<Taylor>| hit.t.range()[1];
-        let front = self.hits.iter().filter_map(covering).min_by(|a, b| greatest(a).total_cmp(&greatest(b)));
-        let limit = front.map_or(f64::INFINITY, |hit| greatest(&hit));
-        let is_seen = |outline: &Outline, hit: &Option<Hit<Taylor>>| match hit {
-            Some(hit) => hit.found.any() && front.is_none_or(|front| hit.t.le(front.t).any()),
-            None => outline.nearest <= limit,
+        for Candidate { outline, forms } in &self.candidates[first..] {
+            // Small primitives cannot cover the area; bounds on them rarely pay.
+            let hit = outline.contains(&area).then(|| match self.forms.get(*forms as usize) {
+                Some(forms) => BlockHit::of_flat(forms, &area, tile),
+                None => BlockHit::of(&self.scene.primitives[outline.primitive as usize], &rays),
+            });
+            self.hits.push(hit);
+        }
+        let covering = |hit: &Option<BlockHit>| hit.filter(|hit| hit.is_everywhere);
+        let front = self.hits.iter().filter_map(covering).min_by(|a, b| a.farthest.total_cmp(&b.farthest));
+        let limit = front.map_or(f64::INFINITY, |hit| hit.farthest);
+        let is_seen = |candidate: &Candidate, hit: &Option<BlockHit>| match hit {
+            Some(hit) => hit.is_anywhere && front.is_none_or(|front| hit.may_be_before(&front)),
+            None => candidate.outline.nearest <= limit,
         };
         let mut kept = 0;
         for i in 0..self.hits.len() {
@@ -127,30 +162,11 @@ impl<'a> Painter<'a> {
 
     /// Z-buffer over the samples of a small area.
     fn paint_samples(&mut self, area: Area, first: usize, canvas: &mut Canvas) {
-        const SIDE: usize = SMALLEST_BLOCK as usize;
-        let mut depth = [[f64::INFINITY; SIDE]; SIDE];
-        let mut nearest = [[NOTHING; SIDE]; SIDE];
-        for outline in &self.candidates[first..] {
-            let primitive = &self.scene.primitives[outline.primitive as usize];
-            let Some(part) = outline.clip(&area) else { continue };
-            for y in part.y0..part.y1 {
-                for x in part.x0..part.x1 {
-                    let ray = self.camera.ray(f64::from(x), f64::from(y));
-                    let hit = primitive.first_hit(&ray, Start::Elsewhere);
-                    let at = &mut depth[(y - area.y0) as usize][(x - area.x0) as usize];
-                    // Candidates come in the order of ids: of equally near ones the first stays.
-                    if hit.found && hit.t < *at {
-                        *at = hit.t;
-                        nearest[(y - area.y0) as usize][(x - area.x0) as usize] = outline.primitive;
-                    }
-                }
-            }
-        }
+        let forms = &self.forms;
+        let candidates = self.candidates[first..].iter().map(|c| (&c.outline, forms.get(c.forms as usize)));
+        self.buffer.draw(canvas.tile, area, candidates);
         for y in area.y0..area.y1 {
-            for x in area.x0..area.x1 {
-                let primitive = nearest[(y - area.y0) as usize][(x - area.x0) as usize];
-                canvas.fill(Area { x0: x, y0: y, x1: x + 1, y1: y + 1 }, primitive);
-            }
+            canvas.fill_row(area.x0, y, self.buffer.row(y));
         }
     }
 }
@@ -163,11 +179,24 @@ struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    fn fill(&mut self, area: Area, primitive: u32) {
-        let surface = match primitive {
+    fn surface_of(&self, primitive: u32) -> u32 {
+        match primitive {
             NOTHING => NOTHING,
             id => self.scene.infos[id as usize].surface,
-        };
+        }
+    }
+
+    /// Paints samples of one row from column `x` on.
+    fn fill_row(&mut self, x: u32, y: u32, primitives: impl Iterator<Item = u32>) {
+        let start = self.tile.index(x - self.tile.x, y - self.tile.y);
+        for (i, primitive) in (start..).zip(primitives) {
+            self.image.primitive[i] = primitive;
+            self.image.surface[i] = self.surface_of(primitive);
+        }
+    }
+
+    fn fill(&mut self, area: Area, primitive: u32) {
+        let surface = self.surface_of(primitive);
         for y in area.y0..area.y1 {
             let start = self.tile.index(area.x0 - self.tile.x, y - self.tile.y);
             let end = start + (area.x1 - area.x0) as usize;

@@ -1,0 +1,152 @@
+//! A Z-buffer for the samples of a small block.
+
+use brt_geometry::Start;
+
+use super::flat_forms::{FlatForms, LinearForm};
+use super::outlines::Outline;
+use crate::prepare::PreparedCamera;
+use crate::products::{Area, NOTHING, PreparedScene, Tile};
+
+/// Samples along the side of the largest block.
+pub(super) const SIDE: usize = 8;
+
+/// What each sample of a block meets first.
+pub(super) struct DepthBuffer<'a> {
+    scene: &'a PreparedScene,
+    camera: &'a PreparedCamera,
+    area: Area,
+    samples: [[Sample; SIDE]; SIDE],
+    /// Inverse depths from forms may be off by this.
+    margin: f64,
+    /// Edges of one candidate that cross the block.
+    crossing: Vec<LinearForm>,
+}
+
+#[derive(Clone, Copy)]
+struct Sample {
+    nearest: u32,
+    inverse_depth: f64,
+    /// Could rounding have decided?
+    is_doubtful: bool,
+}
+
+impl Sample {
+    const EMPTY: Self = Self { nearest: NOTHING, inverse_depth: 0.0, is_doubtful: false };
+}
+
+impl<'a> DepthBuffer<'a> {
+    pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera) -> Self {
+        let area = Area { x0: 0, y0: 0, x1: 0, y1: 0 };
+        let samples = [[Sample::EMPTY; SIDE]; SIDE];
+        Self { scene, camera, area, samples, margin: 0.0, crossing: Vec::new() }
+    }
+
+    /// Draws all candidates of an area, in the order of ids; each with its forms if it has any.
+    pub(super) fn draw<'b>(
+        &mut self,
+        tile: &Tile,
+        area: Area,
+        candidates: impl Iterator<Item = (&'b Outline, Option<&'b FlatForms>)> + Clone,
+    ) {
+        self.area = area;
+        self.samples = [[Sample::EMPTY; SIDE]; SIDE];
+        let margins = candidates.clone().filter_map(|(_, forms)| Some(forms?.inverse_depth.margin));
+        self.margin = 2.0 * margins.fold(0.0, f64::max);
+        for (outline, forms) in candidates.clone() {
+            let Some(part) = outline.clip(&area) else { continue };
+            match forms {
+                Some(forms) => self.draw_flat(tile, part, outline.primitive, forms),
+                None => self.draw_exactly(part, outline.primitive),
+            }
+        }
+        for y in area.y0..area.y1 {
+            for x in area.x0..area.x1 {
+                if self.sample(x, y).is_doubtful {
+                    self.sample(x, y).nearest = self.nearest_by_ray(x, y, candidates.clone().map(|c| c.0));
+                }
+            }
+        }
+    }
+
+    /// What the samples of one row of the area meet, from the left to the right.
+    pub(super) fn row(&self, y: u32) -> impl Iterator<Item = u32> {
+        let width = (self.area.x1 - self.area.x0) as usize;
+        self.samples[(y - self.area.y0) as usize][..width].iter().map(|sample| sample.nearest)
+    }
+
+    /// Tests a primitive with the rays of a part of the area.
+    fn draw_exactly(&mut self, part: Area, id: u32) {
+        let primitive = &self.scene.primitives[id as usize];
+        for y in part.y0..part.y1 {
+            for x in part.x0..part.x1 {
+                let hit = primitive.first_hit(&self.camera.ray(f64::from(x), f64::from(y)), Start::Elsewhere);
+                if hit.found {
+                    self.keep_nearer(x, y, id, 1.0 / hit.t);
+                }
+            }
+        }
+    }
+
+    /// The same by the primitive's forms.
+    fn draw_flat(&mut self, tile: &Tile, part: Area, id: u32, forms: &FlatForms) {
+        let crosses = |edge: &&LinearForm| edge.over(&part, tile).range()[0] <= 0.0;
+        self.crossing.clear();
+        self.crossing.extend(forms.edges.iter().filter(crosses));
+        // A sample is outside if edges differ in sign: that takes one edge that it is certainly inside of.
+        if !self.crossing.is_empty() && self.crossing.len() == forms.edges.len() {
+            return self.draw_exactly(part, id);
+        }
+        for y in part.y0..part.y1 {
+            for x in part.x0..part.x1 {
+                let (column, row) = (f64::from(x - tile.x), f64::from(y - tile.y));
+                let inverse_depth = forms.inverse_depth.at(column, row);
+                let depths = inverse_depth - forms.least;
+                // The least certainty of being inside, of all that decides.
+                let (mut inside, mut outside) = (depths, inverse_depth + forms.least);
+                for edge in &self.crossing {
+                    let side = edge.at(column, row);
+                    inside = inside.min(side - edge.margin);
+                    outside = outside.min(side + edge.margin);
+                }
+                if inside > 0.0 {
+                    self.keep_nearer(x, y, id, inverse_depth);
+                } else if outside >= 0.0 {
+                    self.sample(x, y).is_doubtful = true;
+                }
+            }
+        }
+    }
+
+    /// Keeps the nearer of two hits; marks the sample where rounding could decide which that is.
+    #[inline(always)]
+    fn keep_nearer(&mut self, x: u32, y: u32, id: u32, inverse_depth: f64) {
+        let margin = self.margin + 8.0 * f64::EPSILON * inverse_depth;
+        let sample = self.sample(x, y);
+        let difference = inverse_depth - sample.inverse_depth;
+        if difference > margin {
+            (sample.nearest, sample.inverse_depth) = (id, inverse_depth);
+        } else {
+            // Written so that NaN is doubtful.
+            sample.is_doubtful |= !(difference < -margin);
+        }
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, x: u32, y: u32) -> &mut Sample {
+        &mut self.samples[(y - self.area.y0) as usize][(x - self.area.x0) as usize]
+    }
+
+    /// The primitive that a sample's ray meets first.
+    fn nearest_by_ray<'b>(&self, x: u32, y: u32, outlines: impl Iterator<Item = &'b Outline>) -> u32 {
+        let ray = self.camera.ray(f64::from(x), f64::from(y));
+        let (mut nearest, mut t) = (NOTHING, f64::INFINITY);
+        for outline in outlines {
+            let hit = self.scene.primitives[outline.primitive as usize].first_hit(&ray, Start::Elsewhere);
+            // Candidates come in the order of ids: of equally near ones the first stays.
+            if hit.found && hit.t < t {
+                (nearest, t) = (outline.primitive, hit.t);
+            }
+        }
+        nearest
+    }
+}
