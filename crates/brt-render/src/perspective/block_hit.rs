@@ -2,7 +2,7 @@
 
 use brt_geometry::{Mask, Primitive, Ray, Real, Start, Taylor};
 
-use super::flat_forms::FlatForms;
+use super::forms::{FlatForms, RoundForms};
 use crate::products::{Area, Tile};
 
 /// A primitive as the rays of a block meet it.
@@ -25,6 +25,13 @@ enum Depth {
 }
 
 impl BlockHit {
+    const NOWHERE: Self = Self {
+        is_anywhere: false,
+        is_everywhere: false,
+        farthest: f64::INFINITY,
+        depth: Depth::Direct(Taylor { c: f64::INFINITY, u: 0.0, v: 0.0, e: 0.0 }),
+    };
+
     /// By the primitive's own predicate.
     pub(super) fn of(primitive: &Primitive, rays: &Ray<Taylor>) -> Self {
         let hit = primitive.first_hit(rays, Start::Elsewhere);
@@ -48,11 +55,30 @@ impl BlockHit {
             some_outside |= hi < 0.0;
         }
         let is_ahead = hi > 0.0;
-        let farthest = if lo > 0.0 { 1.0 / lo } else { f64::INFINITY };
         Self {
             is_anywhere: is_ahead && !(some_inside && some_outside),
             is_everywhere,
-            farthest,
+            farthest: farthest_of(inverse_depth),
+            depth: Depth::Inverse(inverse_depth),
+        }
+    }
+
+    /// By the forms of a sphere.
+    pub(super) fn of_round(forms: &RoundForms, rays: &Ray<Taylor>, area: &Area, tile: &Tile) -> Self {
+        let b = forms.b.over(area, tile);
+        let discriminant = b * b - rays.dd * forms.c;
+        let [least, greatest] = discriminant.range();
+        let [nearest, farthest] = b.range();
+        let is_anywhere = greatest >= -forms.margin && nearest <= 0.0;
+        if !is_anywhere {
+            return Self::NOWHERE;
+        }
+        let mut inverse_depth = forms.inverse_depth(b, discriminant);
+        inverse_depth.e += forms.depth_margin;
+        Self {
+            is_anywhere,
+            is_everywhere: least > forms.margin && farthest < 0.0,
+            farthest: farthest_of(inverse_depth),
             depth: Depth::Inverse(inverse_depth),
         }
     }
@@ -67,4 +93,9 @@ impl BlockHit {
             (Depth::Direct(a), Depth::Inverse(b)) => a.le(inverted(b)).any(),
         }
     }
+}
+
+fn farthest_of(inverse_depth: Taylor) -> f64 {
+    let least = inverse_depth.range()[0];
+    if least > 0.0 { 1.0 / least } else { f64::INFINITY }
 }

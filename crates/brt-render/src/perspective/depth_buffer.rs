@@ -2,7 +2,7 @@
 
 use brt_geometry::Start;
 
-use super::flat_forms::{FlatForms, LinearForm};
+use super::forms::{FlatForms, Forms, LinearForm, RoundForms};
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, NOTHING, PreparedScene, Tile};
@@ -46,16 +46,17 @@ impl<'a> DepthBuffer<'a> {
         &mut self,
         tile: &Tile,
         area: Area,
-        candidates: impl Iterator<Item = (&'b Outline, Option<&'b FlatForms>)> + Clone,
+        candidates: impl Iterator<Item = (&'b Outline, Option<&'b Forms>)> + Clone,
     ) {
         self.area = area;
         self.samples = [[Sample::EMPTY; SIDE]; SIDE];
-        let margins = candidates.clone().filter_map(|(_, forms)| Some(forms?.inverse_depth.margin));
+        let margins = candidates.clone().filter_map(|(_, forms)| Some(forms?.depth_margin()));
         self.margin = 2.0 * margins.fold(0.0, f64::max);
         for (outline, forms) in candidates.clone() {
             let Some(part) = outline.clip(&area) else { continue };
             match forms {
-                Some(forms) => self.draw_flat(tile, part, outline.primitive, forms),
+                Some(Forms::Flat(forms)) => self.draw_flat(tile, part, outline.primitive, forms),
+                Some(Forms::Round(forms)) => self.draw_round(tile, part, outline.primitive, forms),
                 None => self.draw_exactly(part, outline.primitive),
             }
         }
@@ -111,6 +112,21 @@ impl<'a> DepthBuffer<'a> {
                 if inside > 0.0 {
                     self.keep_nearer(x, y, id, inverse_depth);
                 } else if outside >= 0.0 {
+                    self.sample(x, y).is_doubtful = true;
+                }
+            }
+        }
+    }
+
+    fn draw_round(&mut self, tile: &Tile, part: Area, id: u32, forms: &RoundForms) {
+        for y in part.y0..part.y1 {
+            for x in part.x0..part.x1 {
+                let b = forms.b.at(f64::from(x - tile.x), f64::from(y - tile.y));
+                let dd = RoundForms::dd(self.camera, f64::from(x), f64::from(y));
+                let discriminant = b * b - forms.c.c * dd;
+                if discriminant > forms.margin && b < -forms.b.margin {
+                    self.keep_nearer(x, y, id, forms.inverse_depth(b, discriminant));
+                } else if !(discriminant < -forms.margin || b > forms.b.margin) {
                     self.sample(x, y).is_doubtful = true;
                 }
             }

@@ -7,7 +7,7 @@
 
 mod block_hit;
 mod depth_buffer;
-mod flat_forms;
+mod forms;
 mod outlines;
 mod subdivide;
 

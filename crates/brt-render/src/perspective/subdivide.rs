@@ -4,7 +4,7 @@ use brt_geometry::{Ray, Start, Taylor};
 
 use super::block_hit::BlockHit;
 use super::depth_buffer::{DepthBuffer, SIDE};
-use super::flat_forms::FlatForms;
+use super::forms::Forms;
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, NOTHING, PerspectiveImage, PreparedScene, Tile};
@@ -19,8 +19,8 @@ const NO_FORMS: u32 = u32::MAX;
 pub(crate) struct Painter<'a> {
     scene: &'a PreparedScene,
     camera: &'a PreparedCamera,
-    /// Forms of the tile's larger flat primitives.
-    forms: Vec<FlatForms>,
+    /// Forms of the tile's larger primitives.
+    forms: Vec<Forms>,
     /// Candidates of the blocks that are open, each block's behind its parent's.
     candidates: Vec<Candidate>,
     /// Hits of the candidates of one block; `None` where they were not looked for.
@@ -92,7 +92,7 @@ impl<'a> Painter<'a> {
             let pays = self.camera.is_perspective
                 && outline.clip(&area).is_some_and(|part| samples(part) >= LEAST_SAMPLES_FOR_FORMS);
             let primitive = &self.scene.primitives[outline.primitive as usize];
-            let forms = pays.then(|| FlatForms::new(primitive, &rays, tile)).flatten();
+            let forms = pays.then(|| Forms::new(primitive, &rays, tile)).flatten();
             let place = if forms.is_some() { self.forms.len() as u32 } else { NO_FORMS };
             self.forms.extend(forms);
             self.candidates.push(Candidate { outline: *outline, forms: place });
@@ -130,7 +130,8 @@ impl<'a> Painter<'a> {
         for Candidate { outline, forms } in &self.candidates[first..] {
             // Small primitives cannot cover the area; bounds on them rarely pay.
             let hit = outline.contains(&area).then(|| match self.forms.get(*forms as usize) {
-                Some(forms) => BlockHit::of_flat(forms, &area, tile),
+                Some(Forms::Flat(forms)) => BlockHit::of_flat(forms, &area, tile),
+                Some(Forms::Round(forms)) => BlockHit::of_round(forms, &rays, &area, tile),
                 None => BlockHit::of(&self.scene.primitives[outline.primitive as usize], &rays),
             });
             self.hits.push(hit);

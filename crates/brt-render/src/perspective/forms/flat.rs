@@ -1,0 +1,42 @@
+//! Flat primitives: inverse depth and edge functions are linear (Pineda 1988).
+
+use brt_geometry::{Plane, Ray, Real, SMALLEST_ANGLE, Taylor, Vec3, edge_functions};
+
+use super::LinearForm;
+use crate::products::Tile;
+
+/// The forms of a flat primitive.
+#[derive(Clone, Debug)]
+pub(crate) struct FlatForms {
+    /// Of the depth in units of the ray's direction.
+    pub(in crate::perspective) inverse_depth: LinearForm,
+    /// The primitive's plane is certainly met ahead where the inverse depth is greater.
+    pub(in crate::perspective) least: f64,
+    /// Positive on the primitive's side.
+    pub(in crate::perspective) edges: Vec<LinearForm>,
+}
+
+impl FlatForms {
+    /// The forms over a tile whose rays leave one eye; `None` for what is seen from its own plane.
+    pub(super) fn new(plane: &Plane, corners: &[Vec3], ray: &Ray<Taylor>, tile: &Tile) -> Option<Self> {
+        // Farther away a hit might not count any more (`FARTHEST`).
+        const FAR: f64 = 1e200;
+        let ahead = plane.ahead(ray);
+        let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile);
+        let longest = ray.dd.range()[1].sqrt();
+        let least = 2.0 * SMALLEST_ANGLE * longest / ahead.c.abs() + 2.0 * inverse_depth.margin;
+        // Written so that NaN is refused.
+        if !(least < f64::INFINITY && least > 1.0 / FAR) {
+            return None;
+        }
+        // Ahead of the eye the plane's normal has one direction along all rays: seen from the front, edges run the
+        // one way round, else the other.
+        let towards = if ahead.c < 0.0 { Taylor::constant(-1.0) } else { Taylor::constant(1.0) };
+        let side = |edge: Taylor| LinearForm::of(edge * towards, tile);
+        let edges = match corners {
+            [] => Vec::new(),
+            corners => edge_functions(corners, ray).map(side).collect(),
+        };
+        Some(Self { inverse_depth, least, edges })
+    }
+}

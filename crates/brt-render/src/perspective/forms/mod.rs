@@ -1,0 +1,44 @@
+//! What decides on a hit, written as functions of the sample's column and row.
+//!
+//! For rays that leave one eye, the predicates of flat primitives are linear and those of spheres quadratic. The forms
+//! of a tile are read off the very predicates, evaluated over the whole tile as Taylor models: what is linear leaves
+//! nothing but rounding in the remainder, and that bounds how far a form is from what a ray computes. Where a form is
+//! within this margin of a decision, the ray decides.
+
+mod flat;
+mod linear;
+mod round;
+
+pub(super) use flat::FlatForms;
+pub(super) use linear::LinearForm;
+pub(super) use round::RoundForms;
+
+use brt_geometry::{Primitive, Ray, Taylor};
+
+use crate::products::Tile;
+
+/// The forms of a primitive over a tile.
+#[derive(Clone, Debug)]
+pub(super) enum Forms {
+    Flat(FlatForms),
+    Round(RoundForms),
+}
+
+impl Forms {
+    /// The forms over a tile whose rays leave one eye, for primitives that have them there.
+    pub(super) fn new(primitive: &Primitive, ray: &Ray<Taylor>, tile: &Tile) -> Option<Self> {
+        if let Primitive::Sphere(sphere) = primitive {
+            return RoundForms::new(sphere, ray, tile).map(Self::Round);
+        }
+        let (plane, corners) = primitive.flat()?;
+        FlatForms::new(plane, corners, ray, tile).map(Self::Flat)
+    }
+
+    /// A ray's inverse depth differs by less.
+    pub(super) fn depth_margin(&self) -> f64 {
+        match self {
+            Self::Flat(forms) => forms.inverse_depth.margin,
+            Self::Round(forms) => forms.depth_margin,
+        }
+    }
+}
