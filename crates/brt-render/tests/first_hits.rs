@@ -133,3 +133,34 @@ fn the_eye_inside_and_on_balls_sees_what_its_rays_meet() {
         hand.assert_image_is_right([75, 60], &format!("eye {offset} from the middle"));
     }
 }
+
+/// Edges, common edges and depths so that forms of whole tiles cannot decide, and rays must.
+#[test]
+fn edges_and_equal_depths_through_the_middles_of_samples_are_decided_as_by_rays() {
+    const SIDE: u32 = 64;
+    let mut hand = Hand::new(looking([0.0, 0.0, 0.0], [0.0, 0.0, -1.0], 90.0));
+    // Samples lie at odd coordinates on the plane at this depth.
+    let depth = -f64::from(SIDE);
+    let mut add = |corners: [[f64; 2]; 3], z: f64| {
+        let corners = corners.map(|[x, y]| vec3(x, y, z));
+        let mesh = Mesh { positions: corners.to_vec(), normals: Vec::new(), triangles: vec![[0, 1, 2]] };
+        let triangle = Triangle::new(corners).unwrap();
+        hand.add(Shape::Mesh(mesh), Primitive::Triangle(triangle));
+    };
+    for cell in 0..9 {
+        let [x, y] = [cell % 3, cell / 3].map(|i| f64::from(20 * i - 31));
+        // Two halves of a square whose sides and diagonal go through samples, and both once more.
+        for _ in 0..2 {
+            add([[x, y], [x + 20.0, y], [x + 20.0, y + 20.0]], depth);
+            add([[x, y], [x + 20.0, y + 20.0], [x, y + 20.0]], depth);
+        }
+    }
+    // One that cuts through them along a column of samples.
+    let corners =
+        [vec3(1.0, -90.0, 0.0), vec3(1.0, 90.0, 0.0), vec3(0.0, 0.0, 2.0)].map(|c| c + vec3(0.0, 0.0, depth));
+    let mesh = Mesh { positions: corners.to_vec(), normals: Vec::new(), triangles: vec![[0, 1, 2]] };
+    hand.add(Shape::Mesh(mesh), Primitive::Triangle(Triangle::new(corners).unwrap()));
+    // And a ball that touches the plane in the middle of a sample.
+    hand.add_sphere(vec3(-11.0, -11.0, depth - 4.0), 4.0);
+    hand.assert_image_is_right([SIDE, SIDE], "edges through samples");
+}

@@ -1,6 +1,6 @@
 //! A Z-buffer for the samples of a small block.
 
-use brt_geometry::Start;
+use brt_geometry::{Real, Start};
 
 use super::forms::{FlatForms, Forms, LinearForm, RoundForms};
 use super::outlines::Outline;
@@ -46,7 +46,7 @@ impl<'a> DepthBuffer<'a> {
         &mut self,
         tile: &Tile,
         area: Area,
-        candidates: impl Iterator<Item = (&'b Outline, Option<&'b Forms>)> + Clone,
+        candidates: &(impl Iterator<Item = (&'b Outline, Option<&'b Forms>)> + Clone),
     ) {
         self.area = area;
         self.samples = [[Sample::EMPTY; SIDE]; SIDE];
@@ -98,20 +98,24 @@ impl<'a> DepthBuffer<'a> {
             return self.draw_exactly(part, id);
         }
         for y in part.y0..part.y1 {
-            for x in part.x0..part.x1 {
-                let (column, row) = (f64::from(x - tile.x), f64::from(y - tile.y));
-                let inverse_depth = forms.inverse_depth.at(column, row);
-                let depths = inverse_depth - forms.least;
-                // The least certainty of being inside, of all that decides.
-                let (mut inside, mut outside) = (depths, inverse_depth + forms.least);
-                for edge in &self.crossing {
-                    let side = edge.at(column, row);
-                    inside = inside.min(side - edge.margin);
-                    outside = outside.min(side + edge.margin);
+            let row = f64::from(y - tile.y);
+            let column = |i: usize| f64::from(self.area.x0 - tile.x) + i as f64;
+            let depth: [f64; SIDE] = std::array::from_fn(|i| forms.inverse_depth.at(column(i), row));
+            // Inside if the first is positive, outside if the second is negative.
+            let mut inside = depth.map(|d| d - forms.least);
+            let mut outside = depth.map(|d| d + forms.least);
+            for edge in &self.crossing {
+                for i in 0..SIDE {
+                    let side = edge.at(column(i), row);
+                    inside[i] = Real::min(inside[i], side - edge.margin);
+                    outside[i] = Real::min(outside[i], side + edge.margin);
                 }
-                if inside > 0.0 {
-                    self.keep_nearer(x, y, id, inverse_depth);
-                } else if outside >= 0.0 {
+            }
+            for x in part.x0..part.x1 {
+                let i = (x - self.area.x0) as usize;
+                if inside[i] > 0.0 {
+                    self.keep_nearer(x, y, id, depth[i]);
+                } else if outside[i] >= 0.0 {
                     self.sample(x, y).is_doubtful = true;
                 }
             }
@@ -120,13 +124,17 @@ impl<'a> DepthBuffer<'a> {
 
     fn draw_round(&mut self, tile: &Tile, part: Area, id: u32, forms: &RoundForms) {
         for y in part.y0..part.y1 {
+            let first = f64::from(self.area.x0 - tile.x);
+            let b: [f64; SIDE] = std::array::from_fn(|i| forms.b.at(first + i as f64, f64::from(y - tile.y)));
+            let dd: [f64; SIDE] = std::array::from_fn(|i| {
+                RoundForms::dd(self.camera, f64::from(self.area.x0) + i as f64, f64::from(y))
+            });
             for x in part.x0..part.x1 {
-                let b = forms.b.at(f64::from(x - tile.x), f64::from(y - tile.y));
-                let dd = RoundForms::dd(self.camera, f64::from(x), f64::from(y));
-                let discriminant = b * b - forms.c.c * dd;
-                if discriminant > forms.margin && b < -forms.b.margin {
-                    self.keep_nearer(x, y, id, forms.inverse_depth(b, discriminant));
-                } else if !(discriminant < -forms.margin || b > forms.b.margin) {
+                let i = (x - self.area.x0) as usize;
+                let discriminant = b[i] * b[i] - forms.c.c * dd[i];
+                if discriminant > forms.margin && b[i] < -forms.b.margin {
+                    self.keep_nearer(x, y, id, forms.inverse_depth(b[i], discriminant));
+                } else if discriminant >= -forms.margin && b[i] <= forms.b.margin {
                     self.sample(x, y).is_doubtful = true;
                 }
             }
@@ -142,8 +150,7 @@ impl<'a> DepthBuffer<'a> {
         if difference > margin {
             (sample.nearest, sample.inverse_depth) = (id, inverse_depth);
         } else {
-            // Written so that NaN is doubtful.
-            sample.is_doubtful |= !(difference < -margin);
+            sample.is_doubtful |= difference >= -margin || difference.is_nan();
         }
     }
 

@@ -1,5 +1,7 @@
 //! Painting a tile: bounds over blocks first, a Z-buffer for the rest.
 
+use std::cell::LazyCell;
+
 use brt_geometry::{Ray, Start, Taylor};
 
 use super::block_hit::BlockHit;
@@ -86,7 +88,7 @@ impl<'a> Painter<'a> {
     fn start_with(&mut self, tile: &Tile, area: Area, outlines: &[Outline]) {
         self.forms.clear();
         self.candidates.clear();
-        let rays = self.block_of_rays(area);
+        let rays = block_of_rays(self.camera, area);
         for outline in outlines {
             let samples = |part: Area| (part.x1 - part.x0) * (part.y1 - part.y0);
             let pays = self.camera.is_perspective
@@ -125,15 +127,19 @@ impl<'a> Painter<'a> {
 
     /// Removes candidates that certainly miss the area or are certainly behind one that covers it.
     fn keep_what_may_be_seen(&mut self, area: Area, first: usize, tile: &Tile) {
-        let rays = self.block_of_rays(area);
+        // Most need no rays.
+        let camera = self.camera;
+        let rays = LazyCell::new(move || block_of_rays(camera, area));
         self.hits.clear();
         for Candidate { outline, forms } in &self.candidates[first..] {
-            // Small primitives cannot cover the area; bounds on them rarely pay.
-            let hit = outline.contains(&area).then(|| match self.forms.get(*forms as usize) {
-                Some(Forms::Flat(forms)) => BlockHit::of_flat(forms, &area, tile),
-                Some(Forms::Round(forms)) => BlockHit::of_round(forms, &rays, &area, tile),
-                None => BlockHit::of(&self.scene.primitives[outline.primitive as usize], &rays),
-            });
+            let hit = match self.forms.get(*forms as usize) {
+                Some(Forms::Flat(forms)) => Some(BlockHit::of_flat(forms, &area, tile)),
+                Some(Forms::Round(forms)) => Some(BlockHit::of_round(forms, &rays, &area, tile)),
+                // Small primitives cannot cover the area; bounds on them rarely pay.
+                None => outline
+                    .contains(&area)
+                    .then(|| BlockHit::of(&self.scene.primitives[outline.primitive as usize], &rays)),
+            };
             self.hits.push(hit);
         }
         let covering = |hit: &Option<BlockHit>| hit.filter(|hit| hit.is_everywhere);
@@ -155,21 +161,21 @@ impl<'a> Painter<'a> {
         self.hits.truncate(kept);
     }
 
-    /// The rays of all samples of an area.
-    fn block_of_rays(&self, area: Area) -> Ray<Taylor> {
-        let [x, y] = area.coordinates();
-        self.camera.ray(x, y)
-    }
-
     /// Z-buffer over the samples of a small area.
     fn paint_samples(&mut self, area: Area, first: usize, canvas: &mut Canvas) {
         let forms = &self.forms;
         let candidates = self.candidates[first..].iter().map(|c| (&c.outline, forms.get(c.forms as usize)));
-        self.buffer.draw(canvas.tile, area, candidates);
+        self.buffer.draw(canvas.tile, area, &candidates);
         for y in area.y0..area.y1 {
             canvas.fill_row(area.x0, y, self.buffer.row(y));
         }
     }
+}
+
+/// The rays of all samples of an area.
+fn block_of_rays(camera: &PreparedCamera, area: Area) -> Ray<Taylor> {
+    let [x, y] = area.coordinates();
+    camera.ray(x, y)
 }
 
 /// Where a tile is painted.

@@ -119,7 +119,7 @@ fn exactness(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> Result<
     let columns = ["scene", "method", "accelerator", "differing_pixels", "greatest_error_levels"];
     let mut table = Table::new("exactness", &columns);
     let (mut differing_pixels, mut pencil_error) = (0, 0.0_f64);
-    for subject in &subjects.main {
+    for subject in subjects.with_blocks() {
         let full = lab.picture(&subject.scene, &square(size, Method::Full))?;
         for (name, accelerator) in ACCELERATORS {
             let Some(accelerator) = accelerator else { continue };

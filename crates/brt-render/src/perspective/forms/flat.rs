@@ -33,10 +33,10 @@ impl FlatForms {
         // one way round, else the other.
         let towards = if ahead.c < 0.0 { Taylor::constant(-1.0) } else { Taylor::constant(1.0) };
         let side = |edge: Taylor| LinearForm::of(edge * towards, tile);
-        let edges = match corners {
+        let edges: Vec<LinearForm> = match corners {
             [] => Vec::new(),
             corners => edge_functions(corners, ray).map(side).collect(),
         };
-        Some(Self { inverse_depth, least, edges })
+        edges.iter().all(|edge| edge.margin.is_finite()).then_some(Self { inverse_depth, least, edges })
     }
 }

@@ -16,7 +16,8 @@ pub(in crate::perspective) struct LinearForm {
 
 impl LinearForm {
     pub(super) fn of(model: Taylor, tile: &Tile) -> Self {
-        let slope = |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
+        let slope =
+            |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
         let rounding = 16.0 * f64::EPSILON * (model.c.abs() + model.u.abs() + model.v.abs());
         Self {
             base: model.c - model.u - model.v,

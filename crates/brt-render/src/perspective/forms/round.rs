@@ -41,7 +41,7 @@ impl RoundForms {
         let margin = 2.0 * greatest_b * b.margin + c.e * longest + 96.0 * f64::EPSILON * terms;
         let inverse_c = 1.0 / c.c;
         let depth_margin = DEPTH_ROUNDING * 2.0 * greatest_b * inverse_c;
-        Some(Self { b, c, inverse_c, margin, depth_margin })
+        (margin + depth_margin).is_finite().then_some(Self { b, c, inverse_c, margin, depth_margin })
     }
 
     /// The inverse depth where the discriminant is positive: by this formula nothing cancels.
