@@ -7,6 +7,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+use crate::Vec3;
 use crate::real::{Mask, Real};
 
 /// A first-order model over a block.
@@ -98,6 +99,21 @@ impl Taylor {
         let top = 1.0 / lo + 1.0 / hi;
         let bottom = 2.0 / (lo * hi).sqrt();
         self.through_line(slope, 0.5 * (top + bottom), 0.5 * (top - bottom).max(0.0))
+    }
+}
+
+impl Vec3<Taylor> {
+    /// The scalar product with a constant vector, at less cost than that of two models.
+    #[inline]
+    pub fn along(&self, normal: Vec3) -> Taylor {
+        let sum = |of: fn(&Taylor) -> f64| {
+            normal.x * of(&self.x) + normal.y * of(&self.y) + normal.z * of(&self.z)
+        };
+        let sizes = normal.x.abs() * (self.x.magnitude() + self.x.e)
+            + normal.y.abs() * (self.y.magnitude() + self.y.e)
+            + normal.z.abs() * (self.z.magnitude() + self.z.e);
+        let errors = normal.x.abs() * self.x.e + normal.y.abs() * self.y.e + normal.z.abs() * self.z.e;
+        Taylor { c: sum(|x| x.c), u: sum(|x| x.u), v: sum(|x| x.v), e: errors }.rounded(8.0 * sizes)
     }
 }
 

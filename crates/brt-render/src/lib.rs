@@ -17,7 +17,7 @@ mod settings;
 mod tracing;
 
 pub use methods::{
-    BorderSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings, PixelSelectedSettings, Regions,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings, PixelSelectedSettings, Regions,
     VarianceDelta,
 };
 pub use picture::{Filter, Layer, LayerRows, Rows, Sink, SinkError};

@@ -6,7 +6,7 @@ use brt_scene::Scene;
 use thiserror::Error;
 
 use crate::methods::{
-    TileWorker, render_border, render_full, render_item_buffer, render_pencil, render_pixel_selected,
+    TileWorker, render_border, render_certified, render_full, render_item_buffer, render_pencil, render_pixel_selected,
     render_reference, render_scan_line,
 };
 use crate::perspective::{Outline, Outlines, Painter};
@@ -144,6 +144,7 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
         }
         Method::PixelSelected(settings) => render_pixel_selected(worker, tile, settings),
         Method::Border(settings) => render_border(worker, tile, settings),
+        Method::Certified(settings) => render_certified(worker, tile, job.scene, settings, job.max_depth),
     }
 }
 

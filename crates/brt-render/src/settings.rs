@@ -2,7 +2,7 @@
 
 use brt_scene::Scene;
 
-use crate::methods::{BorderSettings, Judge, PencilSettings, PixelSelectedSettings};
+use crate::methods::{BorderSettings, CertifiedSettings, Judge, PencilSettings, PixelSelectedSettings};
 use crate::picture::{Filter, Layer};
 use crate::products::SampleGrid;
 
@@ -72,7 +72,11 @@ impl Settings {
             Method::PixelSelected(settings) => settings.block,
             Method::Border(settings) => settings.block,
             Method::Pencil(settings) => settings.block,
-            Method::Reference | Method::Full | Method::ItemBuffer | Method::ScanLine => 1,
+            Method::Reference
+            | Method::Full
+            | Method::ItemBuffer
+            | Method::ScanLine
+            | Method::Certified(_) => 1,
         };
         if !(1..=SampleGrid::TILE).contains(&block) {
             return Err(format!(
@@ -141,6 +145,8 @@ pub enum Method {
     PixelSelected(PixelSelectedSettings),
     /// Border ray tracing (Hashimoto, Suenaga 1987).
     Border(BorderSettings),
+    /// What is not traced is proven to be within a tolerance.
+    Certified(CertifiedSettings),
 }
 
 impl Method {
@@ -149,6 +155,7 @@ impl Method {
         match self {
             Self::PixelSelected(settings) => settings.delta.0,
             Self::Pencil(settings) => settings.tolerance,
+            Self::Certified(settings) => settings.tolerance,
             Self::Border(settings) => match settings.judge {
                 Judge::Variance(delta) => delta.0,
                 Judge::Deviation(delta) => delta.0,
@@ -173,6 +180,7 @@ impl Method {
             Self::Pencil(_) => "pencil",
             Self::PixelSelected(_) => "pixel-selected",
             Self::Border(_) => "border",
+            Self::Certified(_) => "certified",
         }
     }
 }

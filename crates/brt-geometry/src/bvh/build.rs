@@ -17,7 +17,7 @@ impl Bvh {
     pub fn build(boxes: &[(u32, Aabb)]) -> Self {
         let whole = boxes.iter().map(|b| b.1).reduce(Aabb::union);
         let Some(whole) = whole else {
-            return Self { nodes: vec![Node::EMPTY], items: Vec::new(), center: Vec3::ZERO };
+            return Self { nodes: vec![Node::EMPTY], items: Vec::new(), center: Vec3::ZERO, reach: 0.0 };
         };
         let center = (whole.lo + whole.hi) * 0.5;
         let size = whole.hi - whole.lo;
@@ -26,7 +26,8 @@ impl Bvh {
             boxes.iter().map(|(_, b)| round_outward(b, center, margin)).collect();
         let binary = build_bvh2(&rounded, parameters(), &mut Duration::default());
         let items = binary.primitive_indices.iter().map(|&i| boxes[i as usize].0).collect();
-        let mut tree = Self { nodes: Vec::new(), items, center };
+        let reach = (0.5 * size.x.max(size.y).max(size.z) + 2.0 * margin) as f32 * 1.001;
+        let mut tree = Self { nodes: Vec::new(), items, center, reach };
         tree.fold(&binary);
         tree
     }

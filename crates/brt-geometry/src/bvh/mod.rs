@@ -5,6 +5,7 @@
 //! node is entered whenever an exact ray could touch it, and the primitives decide in `f64`.
 
 mod build;
+mod search_shaft;
 mod traverse;
 
 pub use traverse::Traversal;
@@ -21,6 +22,8 @@ pub struct Bvh {
     items: Vec<u32>,
     /// Node coordinates are relative to this point, so that scenes far from the origin lose no precision.
     center: Vec3,
+    /// No coordinate of a node is greater.
+    reach: f32,
 }
 
 /// Four children side by side, so that one instruction serves all of them.

@@ -77,6 +77,22 @@ impl Primitive {
         }
     }
 
+    /// The plane that a flat primitive lies in.
+    pub fn plane(&self) -> Option<&Plane> {
+        match self {
+            Self::Plane(p) => Some(p),
+            Self::Triangle(p) => Some(&p.plane),
+            Self::Polygon(p) => Some(&p.plane),
+            Self::Disc(p) => Some(&p.plane),
+            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => None,
+        }
+    }
+
+    /// Does it lie in a plane? Rays that leave it do not meet it again.
+    pub fn is_flat(&self) -> bool {
+        self.plane().is_some()
+    }
+
     /// The plane and the corners of a flat primitive with straight edges; an infinite plane has none.
     pub fn flat(&self) -> Option<(&Plane, &[Vec3])> {
         match self {

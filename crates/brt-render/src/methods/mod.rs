@@ -1,6 +1,7 @@
 //! Methods: which samples of a tile are traced, and which are filled. None knows another.
 
 mod border;
+mod certified;
 mod full;
 mod item_buffer;
 mod judge;
@@ -11,11 +12,13 @@ mod scan_line;
 mod worker;
 
 pub use border::{BorderSettings, Regions};
+pub use certified::CertifiedSettings;
 pub use judge::{DeviationDelta, DifferenceDelta, Judge, VarianceDelta};
 pub use pencil::PencilSettings;
 pub use pixel_selected::PixelSelectedSettings;
 
 pub(crate) use border::render_border;
+pub(crate) use certified::render_certified;
 pub(crate) use full::{render_full, render_reference};
 pub(crate) use item_buffer::render_item_buffer;
 pub(crate) use pencil::render_pencil;

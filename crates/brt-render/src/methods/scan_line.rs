@@ -8,7 +8,7 @@ use brt_geometry::{Start, Vec3};
 
 use super::worker::{First, TileWorker};
 use crate::products::{NOTHING, PreparedScene, StageClock, Tile};
-use crate::tracing::{BoundingSpheres, Interaction, lights_surely_seen};
+use crate::tracing::{BoundingSpheres, Interaction, LightsSeen, lights_surely_seen};
 
 /// Runs are short so that the spaces between them and the lights are slim.
 const LONGEST_RUN: u32 = 16;
@@ -27,7 +27,7 @@ pub(crate) fn render_scan_line(
             let end = end_of_run(worker, tile, x, y);
             let lights = lights_seen_from(worker, tile, scene, spheres, [x, end], y);
             for column in x..end {
-                worker.trace_lit(tile, column, y, First::Shown, lights);
+                worker.trace_guided(tile, column, y, First::Shown, LightsSeen(lights));
             }
             x = end;
         }

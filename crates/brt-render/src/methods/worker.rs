@@ -5,7 +5,7 @@ use crate::prepare::PreparedCamera;
 use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock, Tile, TileSamples};
 use crate::render::Job;
 use crate::settings::Settings;
-use crate::tracing::{FirstHit, Tracer};
+use crate::tracing::{Guide, Sight, Tracer, Unguided};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -41,22 +41,22 @@ impl<'a> TileWorker<'a> {
     /// Traces a sample of the tile unless that was done before.
     #[inline]
     pub(super) fn trace(&mut self, tile: &Tile, x: u32, y: u32, first: First) {
-        self.trace_lit(tile, x, y, first, 0);
+        self.trace_guided(tile, x, y, first, Unguided);
     }
 
-    /// The same, knowing that nothing hides some lights (by bits) from what is seen.
+    /// The same, knowing something of what follows from the first hit.
     #[inline]
-    pub(super) fn trace_lit(&mut self, tile: &Tile, x: u32, y: u32, first: First, lights_seen: u64) {
+    pub(super) fn trace_guided(&mut self, tile: &Tile, x: u32, y: u32, first: First, guide: impl Guide) {
         let index = tile.index(x, y);
         if self.samples.state[index] == SampleState::Traced {
             return;
         }
         let first = match first {
-            First::Searched => FirstHit::Search,
-            First::Shown => FirstHit::Known(self.perspective.primitive[index]),
+            First::Searched => Sight::Unknown,
+            First::Shown => Sight::Met(self.perspective.primitive[index]),
         };
         let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
-        let traced = self.tracer.trace(&ray, first, lights_seen);
+        let traced = self.tracer.trace(&ray, first, guide);
         self.samples.color[index] = traced.color.to_f32();
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;

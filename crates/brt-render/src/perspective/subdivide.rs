@@ -9,7 +9,7 @@ use super::depth_buffer::{DepthBuffer, SIDE};
 use super::forms::Forms;
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
-use crate::products::{Area, NOTHING, PerspectiveImage, PreparedScene, Tile};
+use crate::products::{Area, MIXED, NOTHING, PerspectiveImage, PreparedScene, Tile};
 
 /// Primitives whose outlines have fewer samples in a tile are tested ray by ray: forms would not pay.
 const LEAST_SAMPLES_FOR_FORMS: u32 = 64;
@@ -106,9 +106,9 @@ impl<'a> Painter<'a> {
         self.keep_what_may_be_seen(area, first, canvas.tile);
         let left = &self.candidates[first..];
         if left.is_empty() {
-            canvas.fill(area, NOTHING);
+            canvas.fill_whole(area, NOTHING);
         } else if left.len() == 1 && self.hits[0].is_some_and(|hit| hit.is_everywhere) {
-            canvas.fill(area, left[0].outline.primitive);
+            canvas.fill_whole(area, left[0].outline.primitive);
         } else if area.is_within(SIDE as u32) {
             self.paint_samples(area, first, canvas);
         } else {
@@ -166,6 +166,7 @@ impl<'a> Painter<'a> {
         let forms = &self.forms;
         let candidates = self.candidates[first..].iter().map(|c| (&c.outline, forms.get(c.forms as usize)));
         self.buffer.draw(canvas.tile, area, &candidates);
+        canvas.image.areas.push((area, MIXED));
         for y in area.y0..area.y1 {
             canvas.fill_row(area.x0, y, self.buffer.row(y));
         }
@@ -200,6 +201,11 @@ impl Canvas<'_> {
             self.image.primitive[i] = primitive;
             self.image.surface[i] = self.surface_of(primitive);
         }
+    }
+
+    fn fill_whole(&mut self, area: Area, primitive: u32) {
+        self.image.areas.push((area, primitive));
+        self.fill(area, primitive);
     }
 
     fn fill(&mut self, area: Area, primitive: u32) {

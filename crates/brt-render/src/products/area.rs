@@ -17,6 +17,15 @@ impl Area {
         self.x1 - self.x0 <= side && self.y1 - self.y0 <= side
     }
 
+    pub(crate) fn sample_count(&self) -> u32 {
+        (self.x1 - self.x0) * (self.y1 - self.y0)
+    }
+
+    /// Does another lie in it?
+    pub(crate) fn contains(&self, other: &Self) -> bool {
+        self.x0 <= other.x0 && self.x1 >= other.x1 && self.y0 <= other.y0 && self.y1 >= other.y1
+    }
+
     /// Its quarters; halves of a line, itself of a sample.
     pub(crate) fn quarters(self) -> impl Iterator<Item = Self> {
         let halves = |a: u32, b: u32| {

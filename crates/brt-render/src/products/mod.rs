@@ -14,7 +14,7 @@ pub(crate) use block::Block;
 pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;
-pub(crate) use perspective_image::{NOTHING, PerspectiveImage};
+pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
 pub(crate) use prepared::{NO_NORMALS, PreparedLight, PreparedMaterial, PrimitiveInfo};
 pub use prepared::{PreparedScene, Surface};
 pub use stats::{BlockCounts, PixelCounts, RayCounts, Seconds, Stats};

@@ -1,9 +1,12 @@
 //! The perspective image of a tile.
 
-use super::Tile;
+use super::{Area, Tile};
 
 /// Stands for "no primitive" and "no surface" where a sample sees the background.
 pub(crate) const NOTHING: u32 = u32::MAX;
+
+/// Stands for "several primitives" where an area shows more than one.
+pub(crate) const MIXED: u32 = u32::MAX - 1;
 
 /// Per sample of a tile: what its ray meets first. Made without rays. Paper: P3.
 #[doc(alias = "item buffer")]
@@ -14,11 +17,14 @@ pub(crate) struct PerspectiveImage {
     pub(crate) primitive: Vec<u32>,
     /// Its surface, or [`NOTHING`].
     pub(crate) surface: Vec<u32>,
+    /// Areas that were painted at once, with the primitive that they show or [`MIXED`]. They tile the tile.
+    pub(crate) areas: Vec<(Area, u32)>,
 }
 
 impl PerspectiveImage {
     /// Makes room for a tile; contents are old.
     pub(crate) fn reset(&mut self, tile: &Tile) {
+        self.areas.clear();
         self.primitive.resize(tile.sample_count(), NOTHING);
         self.surface.resize(tile.sample_count(), NOTHING);
     }

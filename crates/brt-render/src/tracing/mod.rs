@@ -5,8 +5,10 @@
 
 mod bounding_spheres;
 mod first_seen;
+mod guide;
 mod illumination;
 mod interaction;
+mod patch;
 mod pencil;
 mod reference;
 mod search;
@@ -20,7 +22,10 @@ const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;
 
 pub use first_seen::FirstSeen;
 pub(crate) use interaction::Interaction;
+pub(crate) use patch::{LightWays, Patch, constant};
 pub(crate) use pencil::PencilTracer;
 pub(crate) use reference::reference_sample;
 pub(crate) use shadow_space::lights_surely_seen;
-pub(crate) use tracer::{FirstHit, Tracer};
+pub(crate) use guide::{Guide, Lighting, LightsSeen, Sight, Unguided};
+pub(crate) use search::{FROM_NOWHERE, start};
+pub(crate) use tracer::Tracer;

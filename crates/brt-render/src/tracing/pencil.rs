@@ -6,14 +6,14 @@
 //! block's two picture coordinates instead of all four, the error is bounded instead of estimated, and what else the
 //! pencil may meet is bounded too, so that nothing is overlooked.
 
-use brt_geometry::{Mask, Primitive, Ray, Real, Start, Taylor, Vec3};
-use brt_image::{Rgb, rgb};
+use brt_geometry::{Mask, Primitive, Ray, Real, Taylor, Vec3};
+use brt_image::Rgb;
 
 use super::bounding_spheres::{BoundingSpheres, Bundle};
-use super::illumination::{Directions, mirrored, reflected_light};
-use super::search::FROM_NOWHERE;
+use super::patch::{Patch, constant};
+use super::search::{FROM_NOWHERE, start};
 use super::shadow_space::{Ball, is_beside, light_end, shadow_bundle};
-use crate::products::{NO_NORMALS, PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{PreparedLight, PreparedScene};
 
 /// Pencils that may meet more primitives than this are split: smaller ones meet fewer.
 const MOST_CANDIDATES: usize = 24;
@@ -25,20 +25,10 @@ pub(crate) struct PencilTracer<'a> {
     pub(crate) max_depth: u32,
 }
 
-/// What a pencil meets.
-struct Patch<'a> {
-    primitive: u32,
-    point: Vec3<Taylor>,
-    /// On the side that the pencil comes from.
-    normal: Vec3<Taylor>,
-    viewer: Vec3<Taylor>,
-    material: &'a PreparedMaterial,
-}
-
 impl PencilTracer<'_> {
     /// Colour over a block whose samples all see `primitive` first; `None` if the pencil must be split.
     pub(crate) fn color(&self, ray: &Ray<Taylor>, primitive: u32) -> Option<Rgb<Taylor>> {
-        let hit = self.scene.primitives[primitive as usize].first_hit(ray, Start::Elsewhere);
+        let hit = self.scene.primitives[primitive as usize].first_hit(ray, start(primitive, FROM_NOWHERE));
         hit.found.all().then_some(())?;
         self.color_of(ray, primitive, hit.t, self.max_depth)
     }
@@ -56,57 +46,24 @@ impl PencilTracer<'_> {
     }
 
     fn color_of(&self, ray: &Ray<Taylor>, primitive: u32, t: Taylor, left: u32) -> Option<Rgb<Taylor>> {
-        let patch = self.patch(ray, primitive, t)?;
+        let patch = Patch::at(self.scene, ray, primitive, t)?;
         let material = patch.material;
         // Glass splits a pencil in two and chequers cut it: rays are left to do that.
         if material.transmission > 0.0 || material.checker.is_some() {
             return None;
         }
-        let mut color = constant(material.color) * Taylor::constant(material.ambient);
+        let mut color = patch.ambient(material.color);
         for light in &self.scene.lights {
-            if let Some(arriving) = self.light_from(light, &patch)? {
-                color = color + arriving;
+            let ways = patch.ways_to(light);
+            if patch.faces(&ways)? && !self.is_hidden(light, &patch, ways.towards, ways.t_max)? {
+                color = color + patch.reflected(material.color, &ways);
             }
         }
         if material.reflection == 0.0 || left == 0 {
             return Some(color);
         }
-        let ray = Ray::new(patch.point, mirrored(ray.direction, patch.normal));
-        let seen = self.color_along(&ray, primitive, left - 1)?;
+        let seen = self.color_along(&patch.mirror_ray(ray), primitive, left - 1)?;
         Some(color + seen * Taylor::constant(material.reflection))
-    }
-
-    fn patch(&self, ray: &Ray<Taylor>, primitive: u32, t: Taylor) -> Option<Patch<'_>> {
-        let info = &self.scene.infos[primitive as usize];
-        if info.normals != NO_NORMALS {
-            return None;
-        }
-        let point = ray.at(t);
-        let outward = self.scene.primitives[primitive as usize].normal_at(point);
-        let from_behind = is_above(outward.dot(ray.direction))?;
-        let viewer = -(ray.direction * (Taylor::constant(1.0) / ray.dd.sqrt()));
-        let material = &self.scene.materials[info.material as usize];
-        let normal = if from_behind { -outward } else { outward };
-        Some(Patch { primitive, point, normal, viewer, material })
-    }
-
-    /// Light from a source; `Some(None)` where it is certainly not seen, `None` where that is not certain.
-    fn light_from(&self, light: &PreparedLight, patch: &Patch) -> Option<Option<Rgb<Taylor>>> {
-        let (towards, t_max, source) = match light {
-            PreparedLight::Point { position, color } => (position.lift() - patch.point, 1.0, *color),
-            PreparedLight::Directional { towards, color } => (towards.lift(), f64::INFINITY, *color),
-        };
-        if !is_above(patch.normal.dot(towards))? || self.is_hidden(light, patch, towards, t_max)? {
-            return Some(None);
-        }
-        let directions =
-            Directions { normal: patch.normal, light: towards.normalize(), viewer: patch.viewer };
-        Some(Some(reflected_light(
-            patch.material,
-            constant(patch.material.color),
-            constant(source),
-            &directions,
-        )))
     }
 
     /// Is a light hidden from the whole patch (or seen from all of it)? `None` where neither is certain.
@@ -164,23 +121,6 @@ impl PencilTracer<'_> {
             |(id, other): &(u32, brt_geometry::Hit<Taylor>)| id == front || hit.t.lt(other.t).all();
         hits.iter().all(is_behind).then_some(Some((*front, hit.t)))
     }
-}
-
-/// Is a value certainly positive, certainly not, or neither?
-fn is_above(x: Taylor) -> Option<bool> {
-    let above = x.gt(Taylor::constant(0.0));
-    if above.all() {
-        return Some(true);
-    }
-    (!above.any()).then_some(false)
-}
-
-fn start(id: u32, from: u32) -> Start {
-    if id == from && from != FROM_NOWHERE { Start::OnPrimitive } else { Start::Elsewhere }
-}
-
-fn constant(c: Rgb) -> Rgb<Taylor> {
-    rgb(Taylor::constant(c.r), Taylor::constant(c.g), Taylor::constant(c.b))
 }
 
 /// A ball around all values of a vector; `None` where it has no bound.

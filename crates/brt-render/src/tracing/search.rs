@@ -39,7 +39,7 @@ impl Met {
 pub(crate) const FROM_NOWHERE: u32 = u32::MAX;
 
 #[inline(always)]
-fn start(id: u32, from: u32) -> Start {
+pub(crate) fn start(id: u32, from: u32) -> Start {
     if id == from { Start::OnPrimitive } else { Start::Elsewhere }
 }
 
@@ -61,14 +61,42 @@ impl<'a> Search<'a> {
         counters.nodes_visited += std::mem::take(&mut self.walk.nodes_visited);
     }
 
-    /// The hit of a ray with a primitive that it is known to meet.
+    /// The hit of a ray that leaves `from` with a primitive that it is known to meet.
     #[inline]
-    pub(crate) fn known(&mut self, ray: &Ray, id: u32) -> Met {
+    pub(crate) fn known(&mut self, ray: &Ray, from: u32, id: u32) -> Met {
         self.primitive_tests += 1;
         let mut met = Met::nothing_before(f64::INFINITY);
-        met.test(self.scene, ray, FROM_NOWHERE, id);
-        debug_assert_eq!(met.primitive, id, "the perspective image shows what the ray does not meet");
+        met.test(self.scene, ray, from, id);
+        debug_assert_eq!(met.primitive, id, "a ray does not meet what it is known to meet");
         met
+    }
+
+    /// The nearest of these primitives ahead of a ray that leaves `from`.
+    #[inline]
+    pub(crate) fn closest_of(&mut self, ray: &Ray, from: u32, list: &[u32]) -> Option<Met> {
+        self.primitive_tests += list.len() as u64;
+        let mut best = Met::nothing_before(f64::INFINITY);
+        list.iter().for_each(|&id| best.test(self.scene, ray, from, id));
+        best.found()
+    }
+
+    /// The nearest of these primitives before `t_max`, all of which cast shadows, on a ray that leaves `from`.
+    pub(crate) fn shadower_of(&mut self, ray: &Ray, from: u32, t_max: f64, list: &[u32]) -> Option<Met> {
+        self.primitive_tests += list.len() as u64;
+        let mut best = Met::nothing_before(t_max);
+        list.iter().for_each(|&id| best.test(self.scene, ray, from, id));
+        best.found()
+    }
+
+    /// Does one of these primitives, all of which cast shadows, stand before `t_max` on a ray that leaves `from`?
+    #[inline]
+    pub(crate) fn is_hidden_by(&mut self, ray: &Ray, from: u32, t_max: f64, list: &[u32]) -> bool {
+        let (scene, tests) = (self.scene, &mut self.primitive_tests);
+        list.iter().any(|&id| {
+            *tests += 1;
+            let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+            hit.found && hit.t < t_max
+        })
     }
 
     /// The nearest primitive ahead of a ray that leaves `from`.

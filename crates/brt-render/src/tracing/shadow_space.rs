@@ -1,6 +1,6 @@
 //! The space between lights and a patch: where nothing that casts shadows reaches into it, no shadow ray is needed.
 
-use brt_geometry::{BOX_MARGIN, Plane, Primitive, SMALLEST_ANGLE, Vec3};
+use brt_geometry::{BOX_MARGIN, Primitive, SMALLEST_ANGLE, Vec3};
 
 use super::bounding_spheres::{BoundingSpheres, Bundle};
 use crate::products::{PreparedLight, PreparedScene};
@@ -62,13 +62,13 @@ fn hides_nothing_itself(primitive: &Primitive, points: &[(Vec3, Vec3)], light: V
             let outward = (*point - sphere.center).dot(*normal) > 0.0;
             outward && normal.dot(towards) > SMALLEST_ANGLE * towards.length()
         }),
-        _ => plane_of(primitive).is_some(),
+        _ => primitive.is_flat(),
     }
 }
 
 /// Do a patch and all ways from it to a light lie on one side of a flat primitive?
 pub(super) fn is_beside(primitive: &Primitive, patch: &Ball, light: &PreparedLight) -> bool {
-    let Some(plane) = plane_of(primitive) else { return false };
+    let Some(plane) = primitive.plane() else { return false };
     let height = |p: Vec3| plane.normal.dot(p) - plane.distance;
     let size = |p: Vec3| p.length() + plane.distance.abs();
     let here = height(patch.center);
@@ -82,14 +82,4 @@ pub(super) fn is_beside(primitive: &Primitive, patch: &Ball, light: &PreparedLig
     };
     let margin = patch.radius + BOX_MARGIN * (size(patch.center) + scale);
     here.abs() > margin && there.abs() > margin && (here > 0.0) == (there > 0.0)
-}
-
-fn plane_of(primitive: &Primitive) -> Option<&Plane> {
-    match primitive {
-        Primitive::Plane(plane) => Some(plane),
-        Primitive::Triangle(triangle) => Some(&triangle.plane),
-        Primitive::Polygon(polygon) => Some(&polygon.plane),
-        Primitive::Disc(disc) => Some(&disc.plane),
-        Primitive::Sphere(_) | Primitive::Cylinder(_) | Primitive::Cone(_) => None,
-    }
 }

@@ -4,21 +4,13 @@ use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
+use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
 use crate::settings::HistoryKind;
-
-/// What is known of a camera ray before it is traced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum FirstHit {
-    /// Nothing: it must be searched.
-    Search,
-    /// The perspective image shows this primitive, or [`NOTHING`]. Paper: P4 (3).
-    Known(u32),
-}
 
 /// What tracing a sample gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +26,6 @@ pub(crate) struct Tracer<'a> {
     history_kind: HistoryKind,
     max_depth: u32,
     history: RayHistory,
-    /// Bits of lights that the next hit is known to see.
-    lights_seen: u64,
     /// How many mirror and refracted rays may still follow for this sample.
     rays_left: u32,
     pub(crate) counters: Counters,
@@ -45,7 +35,7 @@ impl<'a> Tracer<'a> {
     pub(crate) fn new(scene: &'a PreparedScene, history_kind: HistoryKind, max_depth: u32) -> Self {
         let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
-        Self { scene, search, history_kind, max_depth, history, lights_seen: 0, rays_left: 0, counters }
+        Self { scene, search, history_kind, max_depth, history, rays_left: 0, counters }
     }
 
     /// Everything counted since the last call.
@@ -54,28 +44,28 @@ impl<'a> Tracer<'a> {
         std::mem::take(&mut self.counters)
     }
 
-    /// Traces a camera ray. Nothing hides the lights of `lights_seen` (by bits) from its first hit.
+    /// Traces a camera ray, given what is known of its first hit and of what follows from there.
     #[inline]
-    pub(crate) fn trace(&mut self, ray: &Ray, first: FirstHit, lights_seen: u64) -> TracedSample {
-        self.lights_seen = lights_seen;
+    pub(crate) fn trace(&mut self, ray: &Ray, first: Sight, guide: impl Guide) -> TracedSample {
         self.rays_left = MOST_RAYS_PER_SAMPLE;
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
-        let met = match first {
-            FirstHit::Search => self.search.closest(ray, FROM_NOWHERE),
-            FirstHit::Known(NOTHING) => None,
-            FirstHit::Known(primitive) => Some(self.search.known(ray, primitive)),
-        };
-        let color = self.color_of(ray, met, self.max_depth);
+        let met = self.seen(ray, FROM_NOWHERE, first);
+        let color = self.color_of(ray, met, self.max_depth, guide);
         TracedSample { color, history: self.history }
     }
 
-    fn color_along(&mut self, ray: &Ray, from: u32, bounces_left: u32) -> Rgb {
-        let met = self.search.closest(ray, from);
-        self.color_of(ray, met, bounces_left)
+    #[inline(always)]
+    fn seen(&mut self, ray: &Ray, from: u32, sight: Sight) -> Option<Met> {
+        match sight {
+            Sight::Unknown => self.search.closest(ray, from),
+            Sight::Among(list) => self.search.closest_of(ray, from, list),
+            Sight::Met(NOTHING) => None,
+            Sight::Met(primitive) => Some(self.search.known(ray, from, primitive)),
+        }
     }
 
-    fn color_of(&mut self, ray: &Ray, met: Option<Met>, bounces_left: u32) -> Rgb {
+    fn color_of(&mut self, ray: &Ray, met: Option<Met>, bounces_left: u32, guide: impl Guide) -> Rgb {
         let Some(met) = met else {
             self.history.push(Step::Background);
             return self.scene.background;
@@ -87,10 +77,8 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::Cell(cell));
         }
         let mut color = here.body * here.material.ambient;
-        let mut known = std::mem::take(&mut self.lights_seen);
-        for light in &self.scene.lights {
-            color = color + self.light_from(light, &here, met.primitive, known & 1 == 1);
-            known >>= 1;
+        for (index, light) in self.scene.lights.iter().enumerate() {
+            color = color + self.light_from(light, &here, met.primitive, guide.lighting(index));
         }
         if here.material.is_dull() {
             return color;
@@ -99,11 +87,19 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::DepthEnd);
             return color;
         }
-        self.with_further_rays(color, ray, &here, met.primitive, bounces_left - 1)
+        self.with_further_rays(color, ray, &here, met.primitive, bounces_left - 1, guide)
     }
 
     /// Adds what mirror and refracted rays bring.
-    fn with_further_rays(&mut self, local: Rgb, ray: &Ray, here: &Interaction, from: u32, left: u32) -> Rgb {
+    fn with_further_rays(
+        &mut self,
+        local: Rgb,
+        ray: &Ray,
+        here: &Interaction,
+        from: u32,
+        left: u32,
+        guide: impl Guide,
+    ) -> Rgb {
         let mut color = local;
         let mut mirror_share = here.material.reflection;
         let mut through = None;
@@ -121,11 +117,13 @@ impl<'a> Tracer<'a> {
         if mirror_share > 0.0 && self.may_follow() {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-            color = color + self.color_along(&ray, from, left) * mirror_share;
+            let met = self.seen(&ray, from, guide.mirrored());
+            color = color + self.color_of(&ray, met, left, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
-            color = color + self.color_along(&ray, from, left) * here.material.transmission;
+            let met = self.search.closest(&ray, from);
+            color = color + self.color_of(&ray, met, left, Unguided) * here.material.transmission;
         }
         color
     }
@@ -140,7 +138,13 @@ impl<'a> Tracer<'a> {
     }
 
     #[inline]
-    fn light_from(&mut self, light: &PreparedLight, here: &Interaction, from: u32, is_seen: bool) -> Rgb {
+    fn light_from(
+        &mut self,
+        light: &PreparedLight,
+        here: &Interaction,
+        from: u32,
+        lighting: Lighting,
+    ) -> Rgb {
         let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
             PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
             PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
@@ -149,11 +153,8 @@ impl<'a> Tracer<'a> {
         let is_behind = here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0;
         let hidden_by = if is_behind {
             Some(here.info.surface)
-        } else if is_seen {
-            None
         } else {
-            self.counters.rays.shadow += 1;
-            self.hiding_surface(&Ray::new(here.point, towards), from, t_max)
+            self.hiding_surface(&here.point, &towards, from, t_max, lighting)
         };
         if let Some(surface) = hidden_by {
             let shown = if self.history_kind == HistoryKind::Shadower { surface } else { NOTHING };
@@ -167,13 +168,33 @@ impl<'a> Tracer<'a> {
 
     /// The surface between a point and a light; [`NOTHING`] stands for any if histories do not ask which.
     #[inline]
-    fn hiding_surface(&mut self, ray: &Ray, from: u32, t_max: f64) -> Option<u32> {
-        match self.history_kind {
-            HistoryKind::Lit => self.search.is_hidden(ray, from, t_max).then_some(NOTHING),
-            HistoryKind::Shadower => {
-                let met = self.search.shadower(ray, from, t_max)?;
-                Some(self.scene.infos[met.primitive as usize].surface)
-            }
+    fn hiding_surface(
+        &mut self,
+        point: &Vec3,
+        towards: &Vec3,
+        from: u32,
+        t_max: f64,
+        lighting: Lighting,
+    ) -> Option<u32> {
+        let asks_which = self.history_kind == HistoryKind::Shadower;
+        match lighting {
+            Lighting::Seen => return None,
+            Lighting::Hidden if !asks_which => return Some(NOTHING),
+            _ => {}
         }
+        self.counters.rays.shadow += 1;
+        let ray = Ray::new(*point, *towards);
+        if asks_which {
+            let met = match lighting {
+                Lighting::Among(list) => self.search.shadower_of(&ray, from, t_max, list),
+                _ => self.search.shadower(&ray, from, t_max),
+            };
+            return met.map(|met| self.scene.infos[met.primitive as usize].surface);
+        }
+        let is_hidden = match lighting {
+            Lighting::Among(list) => self.search.is_hidden_by(&ray, from, t_max, list),
+            _ => self.search.is_hidden(&ray, from, t_max),
+        };
+        is_hidden.then_some(NOTHING)
     }
 }

@@ -1,8 +1,8 @@
 //! The chosen method with its settings; options of another method are refused.
 
 use brt::{
-    BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings, PixelSelectedSettings,
-    VarianceDelta,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings, PixelSelectedSettings,
+    Transfer, VarianceDelta,
 };
 
 use super::options::{MethodName, Options};
@@ -27,6 +27,10 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
             block: paper.block.unwrap_or(PencilSettings::default().block),
             tolerance: paper.tolerance.unwrap_or(PencilSettings::default().tolerance),
         }),
+        MethodName::Certified => Method::Certified(CertifiedSettings {
+            tolerance: paper.tolerance.unwrap_or(CertifiedSettings::default().tolerance),
+            transfer: if options.linear { Transfer::Linear } else { Transfer::Srgb },
+        }),
         MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
             block,
             delta: DifferenceDelta(delta),
@@ -45,14 +49,14 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
 }
 
 fn check_belonging(method: MethodName, paper: &PaperOptions) -> Result<(), Failure> {
-    use MethodName::{Border, Pencil, PixelSelected};
+    use MethodName::{Border, Certified, Pencil, PixelSelected};
     let given: [(&str, bool, &[MethodName]); 7] = [
         ("--delta", paper.delta.is_some(), &[Border, PixelSelected]),
         ("--judge", paper.judge.is_some(), &[Border]),
         ("--regions", paper.regions.is_some(), &[Border]),
         ("--history", paper.history.is_some(), &[Border, PixelSelected]),
         ("--block", paper.block.is_some(), &[Border, PixelSelected, Pencil]),
-        ("--tolerance", paper.tolerance.is_some(), &[Pencil]),
+        ("--tolerance", paper.tolerance.is_some(), &[Certified, Pencil]),
         ("--icps", paper.icps, &[PixelSelected]),
     ];
     for (option, is_given, methods) in given {

@@ -112,6 +112,8 @@ pub(crate) enum MethodName {
     /// Border ray tracing (Hashimoto, Suenaga 1987)
     #[default]
     Border,
+    /// What is not traced is proven to be within a tolerance
+    Certified,
 }
 
 impl MethodName {
@@ -124,6 +126,7 @@ impl MethodName {
             Self::Pencil => "pencil",
             Self::PixelSelected => "pixel-selected",
             Self::Border => "border",
+            Self::Certified => "certified",
         }
     }
 }

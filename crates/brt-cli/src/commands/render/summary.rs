@@ -68,6 +68,11 @@ fn method(method: &Method) -> String {
             Judge::Difference(delta) => format!("border Δ {} of difference", delta.0),
         },
         Method::Pencil(settings) => format!("pencil, filled pixels within {} level(s)", settings.tolerance),
+        Method::Certified(settings) if settings.tolerance == 0.0 => "every pixel as traced".to_owned(),
+        Method::Certified(settings) => {
+            let levels = if settings.tolerance == 1.0 { "level" } else { "levels" };
+            format!("every pixel within {} {levels}", settings.tolerance)
+        }
         others => others.name().to_owned(),
     }
 }

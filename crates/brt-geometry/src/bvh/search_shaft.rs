@@ -1,0 +1,69 @@
+//! Which boxes does a shaft touch?
+
+use wide::f32x4;
+
+use super::{Bvh, Child, Node};
+use crate::{Shaft, shaft::HalfSpace};
+
+/// Roundings of a face's normal, of its offset and of three products lie between the exact side and ours.
+const SLACK: f32 = 1.0 / (1 << 19) as f32;
+
+impl Bvh {
+    /// Visits items whose boxes the shaft may touch until `visit` says false; returns whether it never did.
+    pub fn touched_by(&self, shaft: &Shaft, mut visit: impl FnMut(u32) -> bool) -> bool {
+        if self.items.is_empty() {
+            return true;
+        }
+        let faces: [Option<RoundedFace>; 6] =
+            std::array::from_fn(|i| shaft.faces().get(i).map(|face| self.rounded(face)));
+        let mut open = vec![Child { first: 0, count: 0 }];
+        while let Some(child) = open.pop() {
+            if child.count > 0 {
+                let items = &self.items[child.first as usize..(child.first + child.count) as usize];
+                if !items.iter().all(|&item| visit(item)) {
+                    return false;
+                }
+                continue;
+            }
+            let node = &self.nodes[child.first as usize];
+            let touched = faces.iter().flatten().fold(0b1111, |left, face| left & face.touched_children(node));
+            open.extend((0..4).filter(|lane| touched >> lane & 1 == 1).map(|lane| node.child[lane]));
+        }
+        true
+    }
+
+    fn rounded(&self, face: &HalfSpace) -> RoundedFace {
+        // To unit size, so that single precision neither under- nor overflows.
+        let n = face.normal;
+        let scale = 1.0 / n.x.abs().max(n.y.abs()).max(n.z.abs());
+        let offset = (face.offset - n.dot(self.center)) * scale;
+        let rounding = 16.0 * f64::EPSILON * (face.offset.abs() + (n.length() * self.center.length())) * scale;
+        let normal = [n.x * scale, n.y * scale, n.z * scale].map(|x| x as f32);
+        let slack = SLACK * 3.0 * self.reach;
+        let offset = ((offset + rounding) as f32).next_up();
+        RoundedFace {
+            normal: normal.map(f32x4::splat),
+            far_side: normal.map(|x| usize::from(x < 0.0)),
+            offset: f32x4::splat(offset + slack),
+        }
+    }
+}
+
+/// A half-space in the tree's coordinates.
+struct RoundedFace {
+    normal: [f32x4; 3],
+    /// Which planes of a box lie deepest inside.
+    far_side: [usize; 3],
+    offset: f32x4,
+}
+
+impl RoundedFace {
+    /// Bits of the children that reach into the half-space.
+    #[inline(always)]
+    fn touched_children(&self, node: &Node) -> u32 {
+        let product = |axis: usize| node.planes[self.far_side[axis]][axis] * self.normal[axis];
+        let deepest = product(0) + product(1) + product(2);
+        // Empty children are infinitely far outside; where infinities cancel, NaN is not touched either.
+        deepest.simd_le(self.offset).to_bitmask()
+    }
+}

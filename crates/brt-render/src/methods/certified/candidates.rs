@@ -1,0 +1,73 @@
+//! Lists of primitives that the rays of a block may meet. A block's lists are filtered from its parent's.
+
+use brt_geometry::{Shaft, SpatialIndex};
+
+use crate::products::PreparedScene;
+
+/// Longer lists are not kept: smaller blocks have shorter ones.
+const MOST_LISTED: usize = 32;
+
+/// A list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct List {
+    first: u32,
+    count: u32,
+}
+
+/// All lists of the blocks that are open, each block's behind its parent's.
+#[derive(Debug, Default)]
+pub(super) struct Lists {
+    items: Vec<u32>,
+}
+
+impl Lists {
+    pub(super) fn get(&self, list: List) -> &[u32] {
+        &self.items[list.first as usize..(list.first + list.count) as usize]
+    }
+
+    /// For [`Self::release`].
+    pub(super) fn mark(&self) -> usize {
+        self.items.len()
+    }
+
+    /// Forgets all lists made since the mark.
+    pub(super) fn release(&mut self, mark: usize) {
+        self.items.truncate(mark);
+    }
+
+    /// Keeps these as a list.
+    pub(super) fn keep(&mut self, items: impl Iterator<Item = u32>) -> List {
+        let first = self.items.len();
+        self.items.extend(items);
+        List { first: first as u32, count: (self.items.len() - first) as u32 }
+    }
+
+    /// Collects into `found` what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether
+    /// that is everything there is.
+    pub(super) fn collect(
+        &self,
+        scene: &PreparedScene,
+        shaft: &Shaft,
+        from: Option<List>,
+        passes: impl Fn(u32) -> bool,
+        found: &mut Vec<u32>,
+    ) -> bool {
+        found.clear();
+        let mut visit = |id: u32| {
+            if passes(id) && !shaft.misses(&scene.primitives[id as usize]) {
+                found.push(id);
+            }
+            found.len() <= MOST_LISTED
+        };
+        if let Some(list) = from {
+            return self.get(list).iter().all(|&id| visit(id));
+        }
+        scene.outside.iter().all(|&id| visit(id))
+            && match &scene.index {
+                SpatialIndex::Bvh(bvh) => bvh.touched_by(shaft, visit),
+                _ => (0..scene.primitives.len() as u32)
+                    .filter(|id| scene.primitives[*id as usize].bounds().is_some())
+                    .all(visit),
+            }
+    }
+}

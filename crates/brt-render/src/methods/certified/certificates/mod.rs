@@ -1,0 +1,14 @@
+//! Certificates: conservative proofs about a block, one file per way to fail.
+
+mod checker;
+mod shadow;
+mod tolerance;
+mod visibility;
+
+pub(super) use checker::cell_color;
+pub(super) use shadow::lighting;
+pub(super) use tolerance::Tolerance;
+pub(super) use visibility::first_seen;
+
+/// More candidates than these are not looked at one by one: smaller blocks have fewer.
+const MOST_CLASSIFIED: usize = 16;

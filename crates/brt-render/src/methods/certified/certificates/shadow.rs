@@ -1,0 +1,93 @@
+//! Proves that a light is seen from all points of a patch that face it, or from none.
+//!
+//! From: the shaft between the light and the patch; what reaches into it and casts shadows. Nothing: lit. A primitive
+//! that all ways certainly meet before the light: dark, as is a patch that faces away. A flat primitive with the patch
+//! and the light on one side of its plane is in no way between them.
+
+use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, Real, Shaft, Taylor, Vec3};
+
+use super::MOST_CLASSIFIED;
+use crate::methods::certified::candidates::Lists;
+use crate::methods::certified::known_history::KnownLighting;
+use crate::products::{PreparedLight, PreparedScene};
+use crate::tracing::{LightWays, Patch, start};
+
+/// How the points of a patch see a light, given what is known of it.
+pub(in crate::methods::certified) fn lighting(
+    scene: &PreparedScene,
+    lists: &mut Lists,
+    found: &mut Vec<u32>,
+    patch: &Patch,
+    light: &PreparedLight,
+    ways: &LightWays,
+    known: KnownLighting,
+) -> KnownLighting {
+    let inherited = match known {
+        KnownLighting::Seen | KnownLighting::Hidden => return known,
+        KnownLighting::Among(list) => Some(list),
+        KnownLighting::Unknown => None,
+    };
+    if patch.faces(ways) == Some(false) {
+        return KnownLighting::Hidden;
+    }
+    let Some(shaft) = shaft_of(patch, light, ways) else { return known };
+    let may_hide = |id: u32| {
+        let primitive = &scene.primitives[id as usize];
+        let is_itself = id == patch.primitive && primitive.is_flat();
+        scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
+    };
+    if !lists.collect(scene, &shaft, inherited, may_hide, found) {
+        return known;
+    }
+    if found.is_empty() {
+        return KnownLighting::Seen;
+    }
+    if found.len() > MOST_CLASSIFIED {
+        return KnownLighting::Among(lists.keep(found.drain(..)));
+    }
+    let ray = Ray::new(patch.point, ways.towards);
+    let mut is_hidden = false;
+    found.retain(|&id| {
+        let hit = scene.primitives[id as usize].first_hit(&ray, start(id, patch.primitive));
+        // An infinite limit is met by every hit; comparing with it would say nothing.
+        let before = match ways.t_max {
+            t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
+            _ => hit.found,
+        };
+        is_hidden |= before.all();
+        before.any()
+    });
+    if is_hidden {
+        return KnownLighting::Hidden;
+    }
+    if found.is_empty() { KnownLighting::Seen } else { KnownLighting::Among(lists.keep(found.drain(..))) }
+}
+
+/// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.
+fn shaft_of(patch: &Patch, light: &PreparedLight, ways: &LightWays) -> Option<Shaft> {
+    match light {
+        PreparedLight::Point { position, .. } => Shaft::around(&position.lift(), &-ways.towards, 1.0),
+        PreparedLight::Directional { .. } => Shaft::around(&patch.point, &ways.towards, f64::INFINITY),
+    }
+}
+
+/// Do a patch and all ways from it to a light lie on one side of a flat primitive?
+fn is_beside(primitive: &Primitive, points: &Vec3<Taylor>, light: &PreparedLight) -> bool {
+    let Some(plane) = primitive.plane() else { return false };
+    let heights = points.along(plane.normal);
+    let [lo, hi] = heights.range().map(|height| height - plane.distance);
+    let size = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+    let scale = lo.abs().max(hi.abs()) + 2.0 * plane.distance.abs();
+    let (above, margin) = match light {
+        PreparedLight::Point { position, .. } => {
+            (plane.normal.dot(*position) - plane.distance, BOX_MARGIN * (scale + size(*position)))
+        }
+        // A light far away is approached for ever: what counts is whether that leads to the plane.
+        PreparedLight::Directional { towards, .. } => {
+            let rise = plane.normal.dot(*towards);
+            let margin = BOX_MARGIN * scale;
+            return (lo > margin && rise >= 0.0) || (hi < -margin && rise <= 0.0);
+        }
+    };
+    (lo > margin && above > margin) || (hi < -margin && above < -margin)
+}

@@ -1,0 +1,52 @@
+//! Proves that all rays of a block meet one primitive first, or nothing.
+//!
+//! From: the shaft of the rays; what reaches into it; the primitives' own predicates over the block. A primitive that
+//! all rays certainly meet before any other possible hit is the first one, for the predicates enclose what tracing any
+//! of the rays computes.
+
+use brt_geometry::{Hit, Mask, Ray, Real, Shaft, Taylor};
+
+use super::MOST_CLASSIFIED;
+use crate::methods::certified::candidates::Lists;
+use crate::methods::certified::known_history::KnownSight;
+use crate::products::{NOTHING, PreparedScene};
+use crate::tracing::start;
+
+/// What rays that leave `from` meet first, given what is known of it.
+pub(in crate::methods::certified) fn first_seen(
+    scene: &PreparedScene,
+    lists: &mut Lists,
+    found: &mut Vec<u32>,
+    ray: &Ray<Taylor>,
+    from: u32,
+    known: KnownSight,
+) -> KnownSight {
+    let inherited = match known {
+        KnownSight::Met(_) => return known,
+        KnownSight::Among(list) => Some(list),
+        KnownSight::Unknown => None,
+    };
+    let Some(shaft) = Shaft::around(&ray.origin, &ray.direction, f64::INFINITY) else { return known };
+    let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
+    if !lists.collect(scene, &shaft, inherited, |id| !cannot_be_left(id), found) {
+        return known;
+    }
+    if found.len() > MOST_CLASSIFIED {
+        return KnownSight::Among(lists.keep(found.drain(..)));
+    }
+    let hits = found.iter().map(|&id| (id, scene.primitives[id as usize].first_hit(ray, start(id, from))));
+    let mut hits: Vec<(u32, Hit<Taylor>)> = hits.filter(|(_, hit)| hit.found.any()).collect();
+    if hits.is_empty() {
+        return KnownSight::Met(NOTHING);
+    }
+    let greatest = |hit: &Hit<Taylor>| hit.t.range()[1];
+    let certain = hits.iter().filter(|(_, hit)| hit.found.all());
+    let front = certain.min_by(|a, b| greatest(&a.1).total_cmp(&greatest(&b.1))).copied();
+    if let Some((front, nearest)) = front {
+        hits.retain(|(id, hit)| *id == front || hit.t.le(nearest.t).any());
+        if hits.len() == 1 {
+            return KnownSight::Met(front);
+        }
+    }
+    KnownSight::Among(lists.keep(hits.iter().map(|(id, _)| *id)))
+}

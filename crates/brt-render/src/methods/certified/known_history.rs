@@ -1,0 +1,99 @@
+//! What is proven of a block's ray history, level by level along its mirror rays.
+
+use super::candidates::{List, Lists};
+use crate::tracing::{Guide, Lighting, Sight};
+
+/// Levels and lights beyond these are left to rays.
+pub(super) const MOST_LEVELS: usize = 8;
+pub(super) const MOST_LIGHTS: usize = 8;
+
+/// What all rays of a block meet at one level.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum KnownSight {
+    Unknown,
+    Among(List),
+    Met(u32),
+}
+
+/// How all points of a block at one level see a light.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum KnownLighting {
+    Unknown,
+    Among(List),
+    Seen,
+    Hidden,
+}
+
+/// One level of a history.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Level {
+    pub(super) sight: KnownSight,
+    pub(super) lights: [KnownLighting; MOST_LIGHTS],
+}
+
+impl Level {
+    const UNKNOWN: Self = Self { sight: KnownSight::Unknown, lights: [KnownLighting::Unknown; MOST_LIGHTS] };
+}
+
+/// What is known of a block. Its parts inherit it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownHistory {
+    pub(super) levels: [Level; MOST_LEVELS],
+}
+
+impl KnownHistory {
+    /// All rays meet this primitive first.
+    pub(super) fn starting_with(primitive: u32) -> Self {
+        let mut levels = [Level::UNKNOWN; MOST_LEVELS];
+        levels[0].sight = KnownSight::Met(primitive);
+        Self { levels }
+    }
+
+    /// The primitive that is seen first.
+    pub(super) fn first(&self) -> u32 {
+        match self.levels[0].sight {
+            KnownSight::Met(primitive) => primitive,
+            _ => crate::products::NOTHING,
+        }
+    }
+
+    /// For tracing a sample of the block.
+    pub(super) fn guide<'a>(&'a self, lists: &'a Lists) -> KnownGuide<'a> {
+        KnownGuide { levels: &self.levels, lists }
+    }
+}
+
+/// A known history as a guide.
+#[derive(Clone, Copy)]
+pub(super) struct KnownGuide<'a> {
+    /// From the current hit on; never empty.
+    levels: &'a [Level],
+    lists: &'a Lists,
+}
+
+impl Guide for KnownGuide<'_> {
+    #[inline]
+    fn lighting(&self, light: usize) -> Lighting<'_> {
+        let known = self.levels.first().and_then(|level| level.lights.get(light));
+        match known {
+            None | Some(KnownLighting::Unknown) => Lighting::Unknown,
+            Some(KnownLighting::Among(list)) => Lighting::Among(self.lists.get(*list)),
+            Some(KnownLighting::Seen) => Lighting::Seen,
+            Some(KnownLighting::Hidden) => Lighting::Hidden,
+        }
+    }
+
+    #[inline]
+    fn mirrored(&self) -> Sight<'_> {
+        match self.levels.get(1).map(|level| level.sight) {
+            None | Some(KnownSight::Unknown) => Sight::Unknown,
+            Some(KnownSight::Among(list)) => Sight::Among(self.lists.get(list)),
+            Some(KnownSight::Met(primitive)) => Sight::Met(primitive),
+        }
+    }
+
+    #[inline]
+    fn next(self) -> Self {
+        Self { levels: self.levels.get(1..).unwrap_or_default(), ..self }
+    }
+}

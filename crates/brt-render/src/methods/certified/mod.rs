@@ -1,0 +1,164 @@
+//! Certified ray tracing: what is not traced is proven. Answers the paper's own future work, P17, P19 and P20.
+//!
+//! A block of samples that show one primitive is followed along its mirror rays, level by level, as Taylor models
+//! ([`follow`]). At each level certificates try to prove what every ray of the block meets and which lights it sees
+//! ([`certificates`]). A block whose history is proven gets a colour model, and is filled where that is linear within
+//! the tolerance. What is not proven for a block is tried again for its quarters, which inherit every proof and every
+//! list of candidates. Small blocks are traced, guided by what is proven; where everything is, no ray searches.
+
+mod candidates;
+mod certificates;
+mod follow;
+mod known_history;
+mod paint;
+mod regions;
+
+use brt_geometry::Taylor;
+use brt_image::{Rgb, Transfer};
+
+use self::certificates::Tolerance;
+use self::follow::{Follower, Outcome};
+use self::known_history::KnownHistory;
+use self::regions::{Region, regions_of};
+use super::worker::TileWorker;
+use crate::products::{Area, NOTHING, PreparedScene, Seconds, StageClock, Tile};
+
+/// Settings of certified ray tracing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CertifiedSettings {
+    /// Greatest error of a channel of a pixel against full ray tracing, in levels of 255 of the stored value before
+    /// rounding. 0: nothing is filled, and the picture has the bits of full ray tracing.
+    pub tolerance: f64,
+    /// How linear light is stored: the tolerance is met after that.
+    pub transfer: Transfer,
+}
+
+impl Default for CertifiedSettings {
+    fn default() -> Self {
+        Self { tolerance: 1.0, transfer: Transfer::Srgb }
+    }
+}
+
+/// Blocks of this side and less whose history is not proven are traced.
+const LEAF: u32 = 8;
+
+/// Where a linear colour would hold over fewer samples along a side, single samples are shaded instead.
+const LEAST_EVEN: f64 = 3.0;
+
+/// Primitives seen in fewer samples of a tile are traced: proofs would cost more.
+const LEAST_PROVEN: u32 = 8;
+
+/// Renders a tile whose perspective image is painted.
+pub(crate) fn render_certified(
+    worker: &mut TileWorker,
+    tile: &Tile,
+    scene: &PreparedScene,
+    settings: &CertifiedSettings,
+    max_depth: u32,
+) {
+    let clock = StageClock::start();
+    let regions = regions_of(&worker.perspective, tile);
+    let follower = Follower::new(scene, worker.camera, max_depth);
+    let tolerance = Tolerance::new(settings);
+    let mut method = Certified { worker, tile, follower, tolerance, clock };
+    let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
+    for group in regions.chunk_by(|a, b| a.primitive == b.primitive) {
+        method.settle_group(area, group);
+    }
+    method.lap(|seconds| &mut seconds.select);
+}
+
+/// One tile at work.
+struct Certified<'w, 'a> {
+    worker: &'w mut TileWorker<'a>,
+    tile: &'w Tile,
+    follower: Follower<'w>,
+    tolerance: Tolerance,
+    clock: StageClock,
+}
+
+/// Which samples of an area show the primitive.
+#[derive(Clone, Copy)]
+enum Parts<'r> {
+    All,
+    Regions(&'r [Region]),
+}
+
+impl Certified<'_, '_> {
+    /// Adds the time since the last lap to a stage.
+    fn lap(&mut self, stage: impl FnOnce(&mut Seconds) -> &mut f64) {
+        self.clock.lap(stage(&mut self.worker.tracer.counters.seconds));
+    }
+
+    /// Gives all samples of one primitive their colours.
+    fn settle_group(&mut self, area: Area, group: &[Region]) {
+        let primitive = group[0].primitive;
+        if primitive == NOTHING {
+            let background = crate::tracing::constant(self.follower.scene.background);
+            return self.fill(area, Parts::Regions(group), primitive, &background);
+        }
+        let samples: u32 = group.iter().map(|r| r.samples).sum();
+        let history = KnownHistory::starting_with(primitive);
+        if samples < LEAST_PROVEN {
+            return self.trace(area, Parts::Regions(group), &history);
+        }
+        self.settle(area, Parts::Regions(group), &history);
+    }
+
+    fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {
+        let parts = match parts {
+            Parts::Regions([one]) if one.area == area && one.is_whole() => Parts::All,
+            parts => parts,
+        };
+        let mark = self.follower.lists.mark();
+        let mut history = *inherited;
+        let counts = &mut self.worker.tracer.counters.blocks;
+        counts.judged += 1;
+        match self.follower.follow(area, &mut history) {
+            Outcome::Open if area.is_within(LEAF) => self.trace(area, parts, &history),
+            Outcome::Open => self.divide(area, parts, &history),
+            Outcome::Proven(None) if area.is_within(LEAF) => self.shade(area, parts, &history),
+            Outcome::Proven(None) => self.divide(area, parts, &history),
+            Outcome::Proven(Some(color)) => self.color(area, parts, &history, &color),
+        }
+        self.follower.lists.release(mark);
+    }
+
+    /// The history is proven and the colour bounded.
+    fn color(&mut self, area: Area, parts: Parts, history: &KnownHistory, color: &Rgb<Taylor>) {
+        let excess = self.tolerance.excess(color);
+        if excess <= 1.0 {
+            self.worker.tracer.counters.blocks.filled += 1;
+            return self.fill(area, parts, history.first(), color);
+        }
+        // The remainder grows with the square of the side.
+        let side = f64::from((area.x1 - area.x0).max(area.y1 - area.y0));
+        if side < LEAST_EVEN * excess.sqrt() || area.is_within(2) {
+            self.shade(area, parts, history);
+        } else {
+            self.divide(area, parts, history);
+        }
+    }
+
+    fn divide(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
+        self.worker.tracer.counters.blocks.divided += 1;
+        for quarter in area.quarters() {
+            match parts {
+                Parts::All => self.settle(quarter, parts, history),
+                // A part of a leaf of the perspective image has no parts of its own.
+                Parts::Regions([one]) if one.area == area => {
+                    let part = regions::part_of(one, quarter, &self.worker.perspective, self.tile);
+                    if part.samples > 0 {
+                        self.settle(quarter, Parts::Regions(&[part]), history);
+                    }
+                }
+                Parts::Regions(regions) => {
+                    let inside = regions::inside(regions, quarter);
+                    if !inside.is_empty() {
+                        self.settle(quarter, Parts::Regions(inside), history);
+                    }
+                }
+            }
+        }
+    }
+}

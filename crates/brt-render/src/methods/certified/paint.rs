@@ -1,0 +1,137 @@
+//! Giving the samples of a block their colours.
+
+use brt_geometry::Taylor;
+use brt_image::Rgb;
+
+use super::known_history::KnownHistory;
+use super::regions::Region;
+use super::{Certified, Parts};
+use crate::methods::worker::First;
+use crate::products::{Area, SampleState};
+
+impl Certified<'_, '_> {
+    /// Traces samples, guided by what is proven.
+    pub(super) fn trace(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
+        self.lap(|seconds| &mut seconds.select);
+        self.for_each_sample(area, parts, history.first(), |this, x, y| {
+            let guide = history.guide(&this.follower.lists);
+            this.worker.trace_guided(this.tile, x, y, First::Shown, guide);
+        });
+        self.lap(|seconds| &mut seconds.trace);
+    }
+
+    /// Shades samples whose history is proven.
+    pub(super) fn shade(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
+        self.lap(|seconds| &mut seconds.select);
+        self.for_each_sample(area, parts, history.first(), |this, x, y| {
+            let guide = history.guide(&this.follower.lists);
+            this.worker.trace_guided(this.tile, x, y, First::Shown, guide);
+            let index = this.tile.index(x, y);
+            this.worker.samples.state[index] = SampleState::Shaded;
+        });
+        self.lap(|seconds| &mut seconds.trace);
+    }
+
+    /// Calls for every sample of the parts, by column and row of the tile.
+    fn for_each_sample(
+        &mut self,
+        area: Area,
+        parts: Parts,
+        primitive: u32,
+        act: impl Fn(&mut Self, u32, u32),
+    ) {
+        let tile = *self.tile;
+        self.for_each_area(area, parts, |this, area, is_whole| {
+            for y in area.y0 - tile.y..area.y1 - tile.y {
+                for x in area.x0 - tile.x..area.x1 - tile.x {
+                    if is_whole || this.worker.perspective.primitive[tile.index(x, y)] == primitive {
+                        act(this, x, y);
+                    }
+                }
+            }
+        });
+    }
+
+    fn for_each_area(&mut self, area: Area, parts: Parts, mut act: impl FnMut(&mut Self, Area, bool)) {
+        match parts {
+            Parts::All => act(self, area, true),
+            Parts::Regions(regions) => {
+                regions.iter().for_each(|region: &Region| act(self, region.area, region.is_whole()));
+            }
+        }
+    }
+
+    /// Fills samples with a colour that is linear over the area.
+    pub(super) fn fill(&mut self, area: Area, parts: Parts, primitive: u32, color: &Rgb<Taylor>) {
+        self.lap(|seconds| &mut seconds.select);
+        let fill = LinearFill::new(area, color);
+        self.for_each_area(area, parts, |this, part, is_whole| {
+            for y in part.y0..part.y1 {
+                let start = this.tile.index(part.x0 - this.tile.x, y - this.tile.y);
+                let run = start..start + (part.x1 - part.x0) as usize;
+                let mut row = fill.row(part.x0, y);
+                let samples = &mut this.worker.samples;
+                let cells = samples.color[run.clone()].iter_mut().zip(&mut samples.state[run.clone()]);
+                if is_whole {
+                    for (color, state) in cells {
+                        (*color, *state) = (row.next(), SampleState::Filled);
+                    }
+                    continue;
+                }
+                for ((color, state), shown) in cells.zip(&this.worker.perspective.primitive[run]) {
+                    let here = row.next();
+                    if *shown == primitive {
+                        (*color, *state) = (here, SampleState::Filled);
+                    }
+                }
+            }
+        });
+        self.lap(|seconds| &mut seconds.fill);
+    }
+}
+
+/// A colour linear over an area.
+struct LinearFill {
+    area: Area,
+    color: [Taylor; 3],
+    per_column: [f64; 3],
+    per_row: [f64; 3],
+}
+
+impl LinearFill {
+    fn new(area: Area, color: &Rgb<Taylor>) -> Self {
+        let step = |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
+        let color = [color.r, color.g, color.b];
+        Self {
+            area,
+            color,
+            per_column: color.map(|c| step(c.u, area.x1 - area.x0)),
+            per_row: color.map(|c| step(c.v, area.y1 - area.y0)),
+        }
+    }
+
+    /// The colours of a row from column `x` on.
+    fn row(&self, x: u32, y: u32) -> RowFill {
+        let (right, down) = (f64::from(x - self.area.x0), f64::from(y - self.area.y0));
+        let start = |i: usize| {
+            let Taylor { c, u, v, .. } = self.color[i];
+            (c - u - v + self.per_column[i] * right + self.per_row[i] * down) as f32
+        };
+        RowFill { start: std::array::from_fn(start), step: self.per_column.map(|s| s as f32), at: 0.0 }
+    }
+}
+
+struct RowFill {
+    start: [f32; 3],
+    step: [f32; 3],
+    at: f32,
+}
+
+impl RowFill {
+    #[inline(always)]
+    fn next(&mut self) -> [f32; 3] {
+        let color = std::array::from_fn(|i| self.start[i] + self.step[i] * self.at);
+        self.at += 1.0;
+        color
+    }
+}

@@ -1,0 +1,91 @@
+//! What a block of rays meets on one primitive: an [`Interaction`](super::Interaction) over a block.
+
+use brt_geometry::{Mask, Ray, Real, Taylor, Vec3};
+use brt_image::{Rgb, rgb};
+
+use super::illumination::{Directions, mirrored, reflected_light};
+use crate::products::{NO_NORMALS, PreparedLight, PreparedMaterial, PreparedScene};
+
+/// The points of a primitive that a block of rays meets.
+pub(crate) struct Patch<'a> {
+    pub(crate) primitive: u32,
+    pub(crate) point: Vec3<Taylor>,
+    /// On the side that the rays come from.
+    pub(crate) normal: Vec3<Taylor>,
+    pub(crate) material: &'a PreparedMaterial,
+    viewer: Vec3<Taylor>,
+}
+
+/// The ways from a patch to a light.
+pub(crate) struct LightWays {
+    /// From the points to the light, for one infinitely far away of unit length.
+    pub(crate) towards: Vec3<Taylor>,
+    /// Nothing beyond this distance (in units of `towards`) hides the light.
+    pub(crate) t_max: f64,
+    source: Rgb,
+}
+
+impl<'a> Patch<'a> {
+    /// Where rays meet a primitive at distance `t`; `None` for smooth triangles, and where rays may come from both
+    /// sides.
+    pub(crate) fn at(scene: &'a PreparedScene, ray: &Ray<Taylor>, primitive: u32, t: Taylor) -> Option<Self> {
+        let info = &scene.infos[primitive as usize];
+        if info.normals != NO_NORMALS || !(t.c.is_finite() && t.e.is_finite()) {
+            return None;
+        }
+        let point = ray.at(t);
+        let outward = scene.primitives[primitive as usize].normal_at(point);
+        let from_behind = is_above(outward.dot(ray.direction))?;
+        let viewer = -(ray.direction * (Taylor::constant(1.0) / ray.dd.sqrt()));
+        let material = &scene.materials[info.material as usize];
+        let normal = if from_behind { -outward } else { outward };
+        Some(Self { primitive, point, normal, viewer, material })
+    }
+
+    /// The mirror rays.
+    pub(crate) fn mirror_ray(&self, ray: &Ray<Taylor>) -> Ray<Taylor> {
+        Ray::new(self.point, mirrored(ray.direction, self.normal))
+    }
+
+    pub(crate) fn ways_to(&self, light: &PreparedLight) -> LightWays {
+        match light {
+            PreparedLight::Point { position, color } => {
+                LightWays { towards: position.lift() - self.point, t_max: 1.0, source: *color }
+            }
+            PreparedLight::Directional { towards, color } => {
+                LightWays { towards: towards.lift(), t_max: f64::INFINITY, source: *color }
+            }
+        }
+    }
+
+    /// Does the surface face the light: certainly, certainly not, or neither?
+    pub(crate) fn faces(&self, ways: &LightWays) -> Option<bool> {
+        is_above(self.normal.dot(ways.towards))
+    }
+
+    /// The colour without any light.
+    pub(crate) fn ambient(&self, body: Rgb) -> Rgb<Taylor> {
+        constant(body) * Taylor::constant(self.material.ambient)
+    }
+
+    /// Light that arrives along these ways, where the surface faces it and nothing hides it.
+    pub(crate) fn reflected(&self, body: Rgb, ways: &LightWays) -> Rgb<Taylor> {
+        let directions =
+            Directions { normal: self.normal, light: ways.towards.normalize(), viewer: self.viewer };
+        reflected_light(self.material, constant(body), constant(ways.source), &directions)
+    }
+}
+
+/// Is a value certainly positive, certainly not, or neither?
+pub(crate) fn is_above(x: Taylor) -> Option<bool> {
+    let above = x.gt(Taylor::constant(0.0));
+    if above.all() {
+        return Some(true);
+    }
+    (!above.any()).then_some(false)
+}
+
+/// A colour that is the same all over a block.
+pub(crate) fn constant(c: Rgb) -> Rgb<Taylor> {
+    rgb(Taylor::constant(c.r), Taylor::constant(c.g), Taylor::constant(c.b))
+}
