@@ -106,9 +106,8 @@ impl Vec3<Taylor> {
     /// The scalar product with a constant vector, at less cost than that of two models.
     #[inline]
     pub fn along(&self, normal: Vec3) -> Taylor {
-        let sum = |of: fn(&Taylor) -> f64| {
-            normal.x * of(&self.x) + normal.y * of(&self.y) + normal.z * of(&self.z)
-        };
+        let sum =
+            |of: fn(&Taylor) -> f64| normal.x * of(&self.x) + normal.y * of(&self.y) + normal.z * of(&self.z);
         let sizes = normal.x.abs() * (self.x.magnitude() + self.x.e)
             + normal.y.abs() * (self.y.magnitude() + self.y.e)
             + normal.z.abs() * (self.z.magnitude() + self.z.e);

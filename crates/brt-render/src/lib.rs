@@ -17,8 +17,8 @@ mod settings;
 mod tracing;
 
 pub use methods::{
-    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings, PixelSelectedSettings, Regions,
-    VarianceDelta,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings,
+    PixelSelectedSettings, Regions, VarianceDelta,
 };
 pub use picture::{Filter, Layer, LayerRows, Rows, Sink, SinkError};
 pub use prepare::{PreparedCamera, prepare};

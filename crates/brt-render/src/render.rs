@@ -6,8 +6,8 @@ use brt_scene::Scene;
 use thiserror::Error;
 
 use crate::methods::{
-    TileWorker, render_border, render_certified, render_full, render_item_buffer, render_pencil, render_pixel_selected,
-    render_reference, render_scan_line,
+    TileWorker, render_border, render_certified, render_full, render_item_buffer, render_pencil,
+    render_pixel_selected, render_reference, render_scan_line,
 };
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{

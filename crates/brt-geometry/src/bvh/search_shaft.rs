@@ -26,7 +26,8 @@ impl Bvh {
                 continue;
             }
             let node = &self.nodes[child.first as usize];
-            let touched = faces.iter().flatten().fold(0b1111, |left, face| left & face.touched_children(node));
+            let touched =
+                faces.iter().flatten().fold(0b1111, |left, face| left & face.touched_children(node));
             open.extend((0..4).filter(|lane| touched >> lane & 1 == 1).map(|lane| node.child[lane]));
         }
         true
@@ -37,7 +38,8 @@ impl Bvh {
         let n = face.normal;
         let scale = 1.0 / n.x.abs().max(n.y.abs()).max(n.z.abs());
         let offset = (face.offset - n.dot(self.center)) * scale;
-        let rounding = 16.0 * f64::EPSILON * (face.offset.abs() + (n.length() * self.center.length())) * scale;
+        let rounding =
+            16.0 * f64::EPSILON * (face.offset.abs() + (n.length() * self.center.length())) * scale;
         let normal = [n.x * scale, n.y * scale, n.z * scale].map(|x| x as f32);
         let slack = SLACK * 3.0 * self.reach;
         let offset = ((offset + rounding) as f32).next_up();

@@ -21,11 +21,11 @@ pub(crate) use bounding_spheres::BoundingSpheres;
 const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;
 
 pub use first_seen::FirstSeen;
+pub(crate) use guide::{Guide, Lighting, LightsSeen, Sight, Unguided};
 pub(crate) use interaction::Interaction;
 pub(crate) use patch::{LightWays, Patch, constant};
 pub(crate) use pencil::PencilTracer;
 pub(crate) use reference::reference_sample;
-pub(crate) use shadow_space::lights_surely_seen;
-pub(crate) use guide::{Guide, Lighting, LightsSeen, Sight, Unguided};
 pub(crate) use search::{FROM_NOWHERE, start};
+pub(crate) use shadow_space::lights_surely_seen;
 pub(crate) use tracer::Tracer;

@@ -1,8 +1,8 @@
 //! The chosen method with its settings; options of another method are refused.
 
 use brt::{
-    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings, PixelSelectedSettings,
-    Transfer, VarianceDelta,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
+    PixelSelectedSettings, Transfer, VarianceDelta,
 };
 
 use super::options::{MethodName, Options};

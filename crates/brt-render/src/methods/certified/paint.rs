@@ -100,7 +100,8 @@ struct LinearFill {
 
 impl LinearFill {
     fn new(area: Area, color: &Rgb<Taylor>) -> Self {
-        let step = |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
+        let step =
+            |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
         let color = [color.r, color.g, color.b];
         Self {
             area,
