@@ -8,6 +8,7 @@ use crate::products::{NO_NORMALS, PreparedMaterial, PreparedScene, PrimitiveInfo
 
 /// A point on a surface, seen along a ray.
 pub(crate) struct Interaction<'a> {
+    pub(crate) primitive: u32,
     pub(crate) point: Vec3,
     /// Unit normal of the primitive, on the side that the ray comes from.
     pub(crate) geometric_normal: Vec3,
@@ -29,13 +30,13 @@ impl<'a> Interaction<'a> {
     /// The point at distance `t` of a ray, where it meets a primitive.
     pub(crate) fn at(scene: &'a PreparedScene, ray: &Ray, primitive: u32, t: f64) -> Self {
         let info = &scene.infos[primitive as usize];
-        let primitive = &scene.primitives[primitive as usize];
+        let shape = &scene.primitives[primitive as usize];
         let material = &scene.materials[info.material as usize];
         let point = ray.at(t);
-        let outward = primitive.normal_at(point);
+        let outward = shape.normal_at(point);
         let from_behind = outward.dot(ray.direction) > 0.0;
         let turn = |n: Vec3| if from_behind { -n } else { n };
-        let smooth = match primitive {
+        let smooth = match shape {
             Primitive::Triangle(triangle) if info.normals != NO_NORMALS => {
                 let [a, b, c] = scene.normals[info.normals as usize];
                 let [wa, wb, wc] = triangle.weights(ray);
@@ -49,6 +50,7 @@ impl<'a> Interaction<'a> {
         let agrees = smooth.dot(outward) >= 0.0;
         let (body, cell) = body_at(material, point);
         Self {
+            primitive,
             point,
             geometric_normal: turn(outward),
             normal: turn(if agrees { smooth } else { -smooth }),

@@ -8,6 +8,7 @@ mod first_seen;
 mod guide;
 mod illumination;
 mod interaction;
+mod packet;
 mod patch;
 mod pencil;
 mod reference;

@@ -61,6 +61,12 @@ impl<'a> Search<'a> {
         counters.nodes_visited += std::mem::take(&mut self.walk.nodes_visited);
     }
 
+    /// Counts tests made elsewhere.
+    #[inline(always)]
+    pub(crate) fn count_tests(&mut self, count: u64) {
+        self.primitive_tests += count;
+    }
+
     /// The hit of a ray that leaves `from` with a primitive that it is known to meet.
     #[inline]
     pub(crate) fn known(&mut self, ray: &Ray, from: u32, id: u32) -> Met {

@@ -21,13 +21,13 @@ pub(crate) struct TracedSample {
 
 /// Traces samples and counts rays.
 pub(crate) struct Tracer<'a> {
-    scene: &'a PreparedScene,
-    search: Search<'a>,
+    pub(super) scene: &'a PreparedScene,
+    pub(super) search: Search<'a>,
     history_kind: HistoryKind,
-    max_depth: u32,
+    pub(super) max_depth: u32,
     history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
-    rays_left: u32,
+    pub(super) rays_left: u32,
     pub(crate) counters: Counters,
 }
 
@@ -65,7 +65,14 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn color_of(&mut self, ray: &Ray, met: Option<Met>, bounces_left: u32, guide: impl Guide) -> Rgb {
+    /// The colour of a ray from what it meets on, given what is known of it.
+    pub(super) fn color_of(
+        &mut self,
+        ray: &Ray,
+        met: Option<Met>,
+        bounces_left: u32,
+        guide: impl Guide,
+    ) -> Rgb {
         let Some(met) = met else {
             self.history.push(Step::Background);
             return self.scene.background;
@@ -78,7 +85,7 @@ impl<'a> Tracer<'a> {
         }
         let mut color = here.body * here.material.ambient;
         for (index, light) in self.scene.lights.iter().enumerate() {
-            color = color + self.light_from(light, &here, met.primitive, guide.lighting(index));
+            color = color + self.light_from(light, &here, guide.lighting(index));
         }
         if here.material.is_dull() {
             return color;
@@ -87,7 +94,7 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::DepthEnd);
             return color;
         }
-        self.with_further_rays(color, ray, &here, met.primitive, bounces_left - 1, guide)
+        self.with_further_rays(color, ray, &here, bounces_left - 1, guide)
     }
 
     /// Adds what mirror and refracted rays bring.
@@ -96,7 +103,6 @@ impl<'a> Tracer<'a> {
         local: Rgb,
         ray: &Ray,
         here: &Interaction,
-        from: u32,
         left: u32,
         guide: impl Guide,
     ) -> Rgb {
@@ -117,12 +123,12 @@ impl<'a> Tracer<'a> {
         if mirror_share > 0.0 && self.may_follow() {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-            let met = self.seen(&ray, from, guide.mirrored());
+            let met = self.seen(&ray, here.primitive, guide.mirrored());
             color = color + self.color_of(&ray, met, left, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
-            let met = self.search.closest(&ray, from);
+            let met = self.search.closest(&ray, here.primitive);
             color = color + self.color_of(&ray, met, left, Unguided) * here.material.transmission;
         }
         color
@@ -138,13 +144,7 @@ impl<'a> Tracer<'a> {
     }
 
     #[inline]
-    fn light_from(
-        &mut self,
-        light: &PreparedLight,
-        here: &Interaction,
-        from: u32,
-        lighting: Lighting,
-    ) -> Rgb {
+    fn light_from(&mut self, light: &PreparedLight, here: &Interaction, lighting: Lighting) -> Rgb {
         let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
             PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
             PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
@@ -154,7 +154,7 @@ impl<'a> Tracer<'a> {
         let hidden_by = if is_behind {
             Some(here.info.surface)
         } else {
-            self.hiding_surface(&here.point, &towards, from, t_max, lighting)
+            self.hiding_surface(&here.point, &towards, here.primitive, t_max, lighting)
         };
         if let Some(surface) = hidden_by {
             let shown = if self.history_kind == HistoryKind::Shadower { surface } else { NOTHING };

@@ -71,7 +71,11 @@ impl<'a> Follower<'a> {
                 *known = lighting(self.scene, &mut self.lists, &mut self.found, &patch, light, &ways, *known);
                 match known {
                     KnownLighting::Hidden => {}
-                    KnownLighting::Seen => color = color + patch.reflected(body, &ways),
+                    // The colour is only asked for where everything is proven.
+                    KnownLighting::Seen if is_proven && locals.is_bounded => {
+                        color = color + patch.reflected(body, &ways);
+                    }
+                    KnownLighting::Seen => {}
                     _ => is_proven = false,
                 }
             }

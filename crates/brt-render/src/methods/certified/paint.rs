@@ -1,35 +1,59 @@
 //! Giving the samples of a block their colours.
 
-use brt_geometry::Taylor;
+use brt_geometry::{LANES, LaneMask, Lanes, SimdLevel, Taylor};
 use brt_image::Rgb;
 
 use super::known_history::KnownHistory;
 use super::regions::Region;
 use super::{Certified, Parts};
-use crate::methods::worker::First;
 use crate::products::{Area, SampleState};
 
 impl Certified<'_, '_> {
     /// Traces samples, guided by what is proven.
     pub(super) fn trace(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
-        self.lap(|seconds| &mut seconds.select);
-        self.for_each_sample(area, parts, history.first(), |this, x, y| {
-            let guide = history.guide(&this.follower.lists);
-            this.worker.trace_guided(this.tile, x, y, First::Shown, guide);
-        });
-        self.lap(|seconds| &mut seconds.trace);
+        self.trace_as(area, parts, history, SampleState::Traced);
     }
 
     /// Shades samples whose history is proven.
     pub(super) fn shade(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
+        self.trace_as(area, parts, history, SampleState::Shaded);
+    }
+
+    fn trace_as(&mut self, area: Area, parts: Parts, history: &KnownHistory, state: SampleState) {
         self.lap(|seconds| &mut seconds.select);
+        let mut batch = Batch::default();
         self.for_each_sample(area, parts, history.first(), |this, x, y| {
-            let guide = history.guide(&this.follower.lists);
-            this.worker.trace_guided(this.tile, x, y, First::Shown, guide);
-            let index = this.tile.index(x, y);
-            this.worker.samples.state[index] = SampleState::Shaded;
+            batch.add(x, y);
+            if batch.count == LANES {
+                this.trace_batch(&batch, history, state);
+                batch.count = 0;
+            }
         });
+        if batch.count > 0 {
+            self.trace_batch(&batch, history, state);
+        }
         self.lap(|seconds| &mut seconds.trace);
+    }
+
+    /// Traces up to eight samples in lanes.
+    fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, state: SampleState) {
+        let guide = history.guide(&self.follower.lists);
+        let worker = &mut *self.worker;
+        let (first, tile) = (history.first(), self.tile);
+        let color = SimdLevel::default().run(
+            #[inline(always)]
+            || {
+                let x = Lanes::from_fn(|i| f64::from(tile.x + batch.x[i]));
+                let y = Lanes::from_fn(|i| f64::from(tile.y + batch.y[i]));
+                let ray = worker.camera.ray(x, y);
+                worker.tracer.trace_packet(&ray, LaneMask::first(batch.count), first, guide)
+            },
+        );
+        for i in 0..batch.count {
+            let index = tile.index(batch.x[i], batch.y[i]);
+            worker.samples.color[index] = [color.r.0[i] as f32, color.g.0[i] as f32, color.b.0[i] as f32];
+            worker.samples.state[index] = state;
+        }
     }
 
     /// Calls for every sample of the parts, by column and row of the tile.
@@ -38,7 +62,7 @@ impl Certified<'_, '_> {
         area: Area,
         parts: Parts,
         primitive: u32,
-        act: impl Fn(&mut Self, u32, u32),
+        mut act: impl FnMut(&mut Self, u32, u32),
     ) {
         let tile = *self.tile;
         self.for_each_area(area, parts, |this, area, is_whole| {
@@ -87,6 +111,21 @@ impl Certified<'_, '_> {
             }
         });
         self.lap(|seconds| &mut seconds.fill);
+    }
+}
+
+/// Samples to be traced together, by column and row of the tile. Lanes without a sample repeat an old one.
+#[derive(Default)]
+struct Batch {
+    x: [u32; LANES],
+    y: [u32; LANES],
+    count: usize,
+}
+
+impl Batch {
+    fn add(&mut self, x: u32, y: u32) {
+        (self.x[self.count], self.y[self.count]) = (x, y);
+        self.count += 1;
     }
 }
 

@@ -1,0 +1,230 @@
+//! Eight numbers side by side, computed by vector instructions where the machine has them.
+//!
+//! Lanes are plain arrays whose operations are loops of fixed length: inside [`SimdLevel::run`] the compiler has wide
+//! registers for them. So each lane computes exactly what scalar `f64` does, at every level.
+
+use std::array::from_fn;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+use fearless_simd::{Level, Simd};
+
+use crate::real::{Mask, Real};
+use crate::{Ray, vec3};
+
+/// How many lanes there are.
+pub const LANES: usize = 8;
+
+/// Eight numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes(pub [f64; LANES]);
+
+/// Eight answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(64))]
+pub struct LaneMask([u64; LANES]);
+
+/// Vector instructions that the machine running has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum SimdLevel {
+    /// The widest.
+    #[default]
+    Widest,
+    /// AVX2 where there is AVX-512; the widest elsewhere.
+    Avx2,
+    /// Those that every machine of its kind has.
+    Baseline,
+}
+
+impl SimdLevel {
+    /// All of them: they give the same numbers.
+    pub const ALL: [Self; 3] = [Self::Widest, Self::Avx2, Self::Baseline];
+
+    /// Runs a function with these instructions: it and all it calls must be marked `inline(always)` to use them.
+    #[inline]
+    pub fn run<T>(self, function: impl FnOnce() -> T) -> T {
+        if self == Self::Baseline {
+            return function();
+        }
+        let level = Level::new();
+        match (level.as_avx512(), level.as_avx2()) {
+            (Some(avx512), _) if self == Self::Widest => avx512.vectorize(function),
+            (_, Some(avx2)) => avx2.vectorize(function),
+            _ => function(),
+        }
+    }
+}
+
+impl Lanes {
+    /// Number by number from `f`.
+    #[inline(always)]
+    pub fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
+        Self(from_fn(f))
+    }
+
+    /// Where are both the same number?
+    #[inline(always)]
+    pub fn equals(self, other: Self) -> LaneMask {
+        LaneMask::from_fn(|i| self.0[i] == other.0[i])
+    }
+}
+
+impl LaneMask {
+    /// Answer by answer from `f`.
+    #[inline(always)]
+    pub fn from_fn(mut f: impl FnMut(usize) -> bool) -> Self {
+        Self(from_fn(|i| if f(i) { !0 } else { 0 }))
+    }
+
+    /// The first `count` lanes.
+    #[inline(always)]
+    pub fn first(count: usize) -> Self {
+        Self::from_fn(|i| i < count)
+    }
+
+    /// Is this lane's answer yes?
+    #[inline(always)]
+    pub fn has(self, lane: usize) -> bool {
+        self.0[lane] != 0
+    }
+
+    /// How many answers are yes.
+    #[inline(always)]
+    pub fn count(self) -> u64 {
+        self.0.iter().map(|lane| lane & 1).sum()
+    }
+
+    /// The lanes whose answer is yes.
+    #[inline(always)]
+    pub fn lanes(self) -> impl Iterator<Item = usize> {
+        (0..LANES).filter(move |&lane| self.has(lane))
+    }
+}
+
+impl Ray<Lanes> {
+    /// One of the rays.
+    #[inline(always)]
+    pub fn lane(&self, i: usize) -> Ray {
+        let (o, d) = (self.origin, self.direction);
+        Ray {
+            origin: vec3(o.x.0[i], o.y.0[i], o.z.0[i]),
+            direction: vec3(d.x.0[i], d.y.0[i], d.z.0[i]),
+            dd: self.dd.0[i],
+            inv_dd: self.inv_dd.0[i],
+        }
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|x| -x))
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] + o.0[i]))
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] - o.0[i]))
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] * o.0[i]))
+    }
+}
+
+impl Div for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] / o.0[i]))
+    }
+}
+
+impl Real for Lanes {
+    type Mask = LaneMask;
+
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self([x; LANES])
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(f64::sqrt))
+    }
+    #[inline(always)]
+    fn min(self, o: Self) -> Self {
+        Self(from_fn(|i| Real::min(self.0[i], o.0[i])))
+    }
+    #[inline(always)]
+    fn max(self, o: Self) -> Self {
+        Self(from_fn(|i| Real::max(self.0[i], o.0[i])))
+    }
+    #[inline(always)]
+    fn lt(self, o: Self) -> LaneMask {
+        LaneMask::from_fn(|i| self.0[i] < o.0[i])
+    }
+    #[inline(always)]
+    fn le(self, o: Self) -> LaneMask {
+        LaneMask::from_fn(|i| self.0[i] <= o.0[i])
+    }
+    #[inline(always)]
+    fn select(mask: LaneMask, yes: Self, no: Self) -> Self {
+        Self(from_fn(|i| if mask.has(i) { yes.0[i] } else { no.0[i] }))
+    }
+    #[inline(always)]
+    fn broken_power(self, exponent: f64) -> Self {
+        Self(self.0.map(|x| x.broken_power(exponent)))
+    }
+}
+
+impl Mask for LaneMask {
+    const TRUE: Self = Self([!0; LANES]);
+    const FALSE: Self = Self([0; LANES]);
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.iter().fold(0, |a, b| a | b) != 0
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0.iter().fold(!0, |a, b| a & b) == !0
+    }
+}
+
+impl BitAnd for LaneMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] & o.0[i]))
+    }
+}
+
+impl BitOr for LaneMask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, o: Self) -> Self {
+        Self(from_fn(|i| self.0[i] | o.0[i]))
+    }
+}
+
+impl Not for LaneMask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(|lane| !lane))
+    }
+}
