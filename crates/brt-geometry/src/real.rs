@@ -52,6 +52,16 @@ pub trait Real:
     /// `self` to a power that is not whole, for `self >= 0`, `exponent >= 0`. [`Exponent`] takes whole ones too.
     fn broken_power(self, exponent: f64) -> Self;
 
+    /// `1 / √self` for `self > 0`.
+    #[inline(always)]
+    fn inverse_sqrt(self) -> Self {
+        Self::constant(1.0) / self.sqrt()
+    }
+    /// `self` to a whole power, for `self >= 0`.
+    #[inline(always)]
+    fn whole_power(self, exponent: u32) -> Self {
+        power_by_squaring(self, exponent)
+    }
     /// `self > other`
     #[inline(always)]
     fn gt(self, other: Self) -> Self::Mask {
@@ -88,7 +98,7 @@ impl Exponent {
     #[inline(always)]
     pub fn power<R: Real>(self, base: R) -> R {
         match self {
-            Self::Whole(exponent) => power_by_squaring(base, exponent),
+            Self::Whole(exponent) => base.whole_power(exponent),
             Self::Broken(exponent) => base.broken_power(exponent),
         }
     }
@@ -96,7 +106,7 @@ impl Exponent {
 
 /// Repeated squaring, low bit first: the same chain for every [`Real`].
 #[inline(always)]
-fn power_by_squaring<R: Real>(base: R, exponent: u32) -> R {
+pub(crate) fn power_by_squaring<R: Real>(base: R, exponent: u32) -> R {
     let mut result = R::constant(1.0);
     let mut square = base;
     let mut rest = exponent;

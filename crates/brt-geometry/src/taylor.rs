@@ -8,7 +8,7 @@
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use crate::Vec3;
-use crate::real::{Mask, Real};
+use crate::real::{Mask, Real, power_by_squaring};
 
 /// A first-order model over a block.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +67,19 @@ impl Taylor {
         self.c.abs() + self.u.abs() + self.v.abs()
     }
 
+    #[inline(always)]
+    fn is_constant(self) -> bool {
+        self.u == 0.0 && self.v == 0.0 && self.e == 0.0
+    }
+
+    /// `self · factor`, at less cost than the product of two models.
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        let scaled =
+            Self { c: self.c * factor, u: self.u * factor, v: self.v * factor, e: self.e * factor.abs() };
+        scaled.rounded(2.0 * (scaled.magnitude() + scaled.e))
+    }
+
     /// With error `e` plus the rounding of an operation whose terms sum up to `terms` in magnitude.
     #[inline(always)]
     fn rounded(self, terms: f64) -> Self {
@@ -95,9 +108,9 @@ impl Taylor {
         if !(lo > 0.0 && slope.is_finite()) {
             return Self::unknown();
         }
-        // 1/x − slope·x is 1/lo + 1/hi at both ends and 2/√(lo·hi) at its least.
-        let top = 1.0 / lo + 1.0 / hi;
-        let bottom = 2.0 / (lo * hi).sqrt();
+        // 1/x − slope·x is 1/lo + 1/hi at both ends and 2/√(lo·hi) at its least, also for a slope that underflows.
+        let top = if slope.is_normal() { -slope * (lo + hi) } else { 1.0 / lo + 1.0 / hi - slope * hi };
+        let bottom = 2.0 * (-slope).sqrt();
         self.through_line(slope, 0.5 * (top + bottom), 0.5 * (top - bottom).max(0.0))
     }
 }
@@ -129,7 +142,8 @@ impl Add for Taylor {
     #[inline(always)]
     fn add(self, o: Self) -> Self {
         let sum = Self { c: self.c + o.c, u: self.u + o.u, v: self.v + o.v, e: self.e + o.e };
-        sum.rounded(self.magnitude() + o.magnitude() + sum.e)
+        // Rounding is relative to the results; results too small for that are exact.
+        Self { e: sum.e + 1.5 * ROUNDING * (sum.magnitude() + sum.e), ..sum }
     }
 }
 
@@ -145,6 +159,12 @@ impl Mul for Taylor {
     type Output = Self;
     #[inline(always)]
     fn mul(self, o: Self) -> Self {
+        if o.is_constant() {
+            return self.scaled(o.c);
+        }
+        if self.is_constant() {
+            return o.scaled(self.c);
+        }
         // U² and V² lie in [0, 1], UV in [−1, 1].
         let (uu, vv) = (self.u * o.u, self.v * o.v);
         let uv = (self.u * o.v).abs() + (self.v * o.u).abs();
@@ -190,6 +210,43 @@ impl Real for Taylor {
         // √x − slope·x is slope·a·b at both ends and 1/(4·slope) at its greatest.
         let (ends, top) = (slope * a * b, 0.25 * (a + b));
         self.through_line(slope, 0.5 * (ends + top), 0.5 * (top - ends).max(0.0))
+    }
+
+    /// Bounds the function as one: tighter than the quotient by the root.
+    fn inverse_sqrt(self) -> Self {
+        let [lo, hi] = self.range();
+        let (a, b) = (1.0 / lo.sqrt(), 1.0 / hi.sqrt());
+        let per_sum = 1.0 / (a + b);
+        let slope = -a * b * a * b * per_sum;
+        if !(lo > 0.0 && slope.is_normal()) {
+            return Self::constant(1.0) / self.sqrt();
+        }
+        // x^-½ − slope·x is this at both ends; its least, 3/2·(2a²b²/(a + b))^⅓, is half more than a mean of h, h
+        // and (a + b)/2 with h = 2ab/(a + b): no less than their harmonic mean.
+        let top = a + b * b * per_sum;
+        let harmonic = 2.0 * a * b * per_sum;
+        let bottom = 4.5 * a * b / (a + b + harmonic);
+        self.through_line(slope, 0.5 * (top + bottom), 0.5 * (top - bottom).max(0.0))
+    }
+
+    /// Bounds the power as one: tighter than a chain of products.
+    fn whole_power(self, exponent: u32) -> Self {
+        if exponent <= 1 {
+            return power_by_squaring(self, exponent);
+        }
+        let [lo, hi] = self.range().map(|x| x.max(0.0));
+        let middle = 0.5 * lo + 0.5 * hi;
+        let [least, greatest] = [lo, hi].map(|x| power_by_squaring(x, exponent));
+        let rise = power_by_squaring(middle, exponent - 1);
+        let slope = if hi > lo { (greatest - least) / (hi - lo) } else { 0.0 };
+        let steepness = f64::from(exponent) * rise;
+        // The power runs below its chord and above its tangent; each product of the chain rounds once.
+        let top = greatest - slope * hi;
+        let tangent = |x: f64| middle * rise + steepness * (x - middle) - slope * x;
+        let bottom = tangent(lo).min(tangent(hi));
+        let rounding = 8.0 * ROUNDING * f64::from(exponent) * greatest;
+        let line = self.through_line(slope, 0.5 * (top + bottom), 0.5 * (top - bottom).max(0.0) + rounding);
+        if line.e.is_finite() { line } else { Self::unknown() }
     }
 
     fn min(self, other: Self) -> Self {

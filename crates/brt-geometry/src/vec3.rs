@@ -111,7 +111,7 @@ impl<R: Real> Vec3<R> {
     /// The vector of length 1 in this direction; undefined for the zero vector.
     #[inline(always)]
     pub fn normalize(self) -> Self {
-        self * (R::constant(1.0) / self.length())
+        self * self.length_squared().inverse_sqrt()
     }
 
     /// `yes` where the mask is true, else `no`.

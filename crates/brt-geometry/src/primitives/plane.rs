@@ -40,7 +40,7 @@ impl Plane {
 
     /// The nearest hit ahead with a flat piece of the plane: rays along it meet its edge at most, and miss.
     #[inline(always)]
-    pub(super) fn first_hit_of_part<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
+    pub(crate) fn first_hit_of_part<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
         let hit = self.first_hit(ray, start);
         let facing = self.facing(ray);
         let crosses = (facing * facing).gt(R::constant(SMALLEST_ANGLE * SMALLEST_ANGLE) * ray.dd);

@@ -1,6 +1,6 @@
 //! What there is at the point where a ray meets a primitive.
 
-use brt_geometry::{Primitive, Ray, Vec3};
+use brt_geometry::{Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
 use brt_scene::Axis;
 
@@ -54,7 +54,7 @@ impl<'a> Interaction<'a> {
             point,
             geometric_normal: turn(outward),
             normal: turn(if agrees { smooth } else { -smooth }),
-            viewer: -(ray.direction * (1.0 / ray.dd.sqrt())),
+            viewer: -(ray.direction * ray.dd.inverse_sqrt()),
             from_behind,
             info,
             material,

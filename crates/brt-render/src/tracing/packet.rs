@@ -266,7 +266,7 @@ impl<'a> Seen<'a> {
             lanes,
             point,
             normal: Vec3::select(from_behind, -outward, outward),
-            viewer: -(ray.direction * (Lanes::constant(1.0) / ray.dd.sqrt())),
+            viewer: -(ray.direction * ray.dd.inverse_sqrt()),
             body: body_at(material, &point),
             material,
         })

@@ -36,7 +36,7 @@ impl<'a> Patch<'a> {
         let point = ray.at(t);
         let outward = scene.primitives[primitive as usize].normal_at(point);
         let from_behind = is_above(outward.dot(ray.direction))?;
-        let viewer = -(ray.direction * (Taylor::constant(1.0) / ray.dd.sqrt()));
+        let viewer = -(ray.direction * ray.dd.inverse_sqrt());
         let material = &scene.materials[info.material as usize];
         let normal = if from_behind { -outward } else { outward };
         Some(Self { primitive, point, normal, viewer, material })

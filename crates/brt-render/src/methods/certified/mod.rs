@@ -45,8 +45,8 @@ const LEAF: u32 = 8;
 /// Where a linear colour would hold over fewer samples along a side, single samples are shaded instead.
 const LEAST_EVEN: f64 = 3.0;
 
-/// Primitives seen in fewer samples of a tile are traced: proofs would cost more.
-const LEAST_PROVEN: u32 = 8;
+/// Fewer samples are traced: proofs would cost more.
+const LEAST_PROVEN: u32 = 24;
 
 /// Renders a tile whose perspective image is painted.
 pub(crate) fn render_certified(
@@ -97,12 +97,7 @@ impl Certified<'_, '_> {
             let background = crate::tracing::constant(self.follower.scene.background);
             return self.fill(area, Parts::Regions(group), primitive, &background);
         }
-        let samples: u32 = group.iter().map(|r| r.samples).sum();
-        let history = KnownHistory::starting_with(primitive);
-        if samples < LEAST_PROVEN {
-            return self.trace(area, Parts::Regions(group), &history);
-        }
-        self.settle(area, Parts::Regions(group), &history);
+        self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));
     }
 
     fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {
@@ -110,6 +105,9 @@ impl Certified<'_, '_> {
             Parts::Regions([one]) if one.area == area && one.is_whole() => Parts::All,
             parts => parts,
         };
+        if matches!(parts, Parts::Regions(few) if few.iter().map(|r| r.samples).sum::<u32>() < LEAST_PROVEN) {
+            return self.trace(area, parts, inherited);
+        }
         let mark = self.follower.lists.mark();
         let mut history = *inherited;
         let counts = &mut self.worker.tracer.counters.blocks;

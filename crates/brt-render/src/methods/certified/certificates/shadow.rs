@@ -4,7 +4,7 @@
 //! that all ways certainly meet before the light: dark, as is a patch that faces away. A flat primitive with the patch
 //! and the light on one side of its plane is in no way between them.
 
-use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, Real, Shaft, Taylor, Vec3};
+use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
 
 use super::MOST_CLASSIFIED;
 use crate::methods::certified::candidates::Lists;
@@ -45,10 +45,10 @@ pub(in crate::methods::certified) fn lighting(
     if found.len() > MOST_CLASSIFIED {
         return KnownLighting::Among(lists.keep(found.drain(..)));
     }
-    let ray = Ray::new(patch.point, ways.towards);
+    let block = RayBlock::new(Ray::new(patch.point, ways.towards));
     let mut is_hidden = false;
     found.retain(|&id| {
-        let hit = scene.primitives[id as usize].first_hit(&ray, start(id, patch.primitive));
+        let hit = block.first_hit(&scene.primitives[id as usize], start(id, patch.primitive));
         // An infinite limit is met by every hit; comparing with it would say nothing.
         let before = match ways.t_max {
             t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),

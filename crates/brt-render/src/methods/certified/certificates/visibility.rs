@@ -4,7 +4,7 @@
 //! all rays certainly meet before any other possible hit is the first one, for the predicates enclose what tracing any
 //! of the rays computes.
 
-use brt_geometry::{Hit, Mask, Ray, Real, Shaft, Taylor};
+use brt_geometry::{Hit, Mask, Ray, RayBlock, Real, Shaft, Taylor};
 
 use super::MOST_CLASSIFIED;
 use crate::methods::certified::candidates::Lists;
@@ -34,7 +34,8 @@ pub(in crate::methods::certified) fn first_seen(
     if found.len() > MOST_CLASSIFIED {
         return KnownSight::Among(lists.keep(found.drain(..)));
     }
-    let hits = found.iter().map(|&id| (id, scene.primitives[id as usize].first_hit(ray, start(id, from))));
+    let block = RayBlock::new(*ray);
+    let hits = found.iter().map(|&id| (id, block.first_hit(&scene.primitives[id as usize], start(id, from))));
     let mut hits: Vec<(u32, Hit<Taylor>)> = hits.filter(|(_, hit)| hit.found.any()).collect();
     if hits.is_empty() {
         return KnownSight::Met(NOTHING);
