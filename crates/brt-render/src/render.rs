@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::methods::{
     TileWorker, render_border, render_certified, render_full, render_item_buffer, render_pencil,
-    render_pixel_selected, render_reference, render_scan_line,
+    render_pixel_selected, render_reference, render_scan_line, trace_row,
 };
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{
@@ -18,7 +18,7 @@ use crate::prepare::{PreparedCamera, prepare};
 use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Tile};
 use crate::run::Run;
 use crate::schedule::Schedule;
-use crate::settings::{Method, Settings};
+use crate::settings::{CheckedPixels, Method, Settings};
 use crate::tracing::{BoundingSpheres, PencilTracer};
 
 /// Why there is no picture.
@@ -122,7 +122,7 @@ pub(crate) fn render_tile(
     // From samples to pixels, and whatever else is to be seen.
     let colors = reduce(job.settings.filter, job.grid, tile, &worker.samples.color);
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
-    let full = job.settings.compare_with_full.then(|| render_again_in_full(job, worker, tile));
+    let full = (job.settings.checked != CheckedPixels::None).then(|| render_again_in_full(job, worker, tile));
     TilePicture { tile: *tile, colors, full, layers }
 }
 
@@ -155,11 +155,18 @@ fn make_layer(job: &Job, worker: &TileWorker, tile: &Tile, layer: Layer) -> Laye
     tile_layer(layer, &sources)
 }
 
-/// The tile once more by full ray tracing. Its rays are not counted: they are spent on checking.
+/// The tile's checked pixels once more by full ray tracing. Its rays are not counted: they are spent on checking.
 fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> TileColors {
     let counted = worker.tracer.take_counters();
     worker.samples.reset(tile);
-    render_full(worker, tile);
+    let Settings { checked, filter, .. } = job.settings;
+    let margin = filter.margin();
+    for y in 0..tile.height {
+        let row = (tile.y + y) / job.grid.per_side;
+        if (row.saturating_sub(margin)..=row + margin).any(|row| checked.includes_row(row)) {
+            trace_row(worker, tile, y);
+        }
+    }
     worker.tracer.take_counters();
     worker.tracer.counters = counted;
     reduce(job.settings.filter, job.grid, tile, &worker.samples.color)

@@ -25,8 +25,8 @@ pub struct Settings {
     pub max_depth: Option<u32>,
     /// Which layers are made besides the picture.
     pub layers: Vec<Layer>,
-    /// Render everything by full ray tracing too, to compare with?
-    pub compare_with_full: bool,
+    /// Which pixels are rendered by full ray tracing too, to compare with.
+    pub checked: CheckedPixels,
 }
 
 impl Accelerator {
@@ -46,7 +46,7 @@ impl Settings {
             history: HistoryKind::Lit,
             max_depth: None,
             layers: Vec::new(),
-            compare_with_full: false,
+            checked: CheckedPixels::None,
         }
     }
 }
@@ -91,6 +91,41 @@ impl Settings {
     pub(crate) fn needs_perspective_image(&self) -> bool {
         !matches!(self.method, Method::Reference | Method::Full | Method::PixelSelected(_))
             || self.layers.iter().any(|layer| layer.needs_perspective_image())
+    }
+}
+
+/// Which pixels are compared with full ray tracing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CheckedPixels {
+    /// None.
+    #[default]
+    None,
+    /// Those of the first row of every 16.
+    Rows,
+    /// All.
+    All,
+}
+
+impl CheckedPixels {
+    /// Are the pixels of this row checked?
+    pub fn includes_row(self, row: u32) -> bool {
+        match self {
+            Self::None => false,
+            Self::Rows => row.is_multiple_of(16),
+            Self::All => true,
+        }
+    }
+}
+
+impl Method {
+    /// The greatest error of a pixel against full ray tracing, in levels of 255, that the method promises.
+    pub fn promised_error(&self) -> Option<f64> {
+        match self {
+            Self::Reference | Self::Full | Self::ItemBuffer | Self::ScanLine => Some(0.0),
+            Self::Pencil(PencilSettings { tolerance, .. })
+            | Self::Certified(CertifiedSettings { tolerance, .. }) => Some(*tolerance),
+            Self::PixelSelected(_) | Self::Border(_) => None,
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 
 use brt_geometry::vec3;
 use brt_image::{Rgb, rgb};
-use brt_render::{BorderSettings, Layer, Method, Run, SampleState, Settings};
+use brt_render::{BorderSettings, CheckedPixels, Layer, Method, Run, SampleState, Settings};
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{looking, render_with_layers};
 
@@ -36,7 +36,7 @@ fn border_loses_the_highlight_between_four_equal_points() {
     let settings = Settings {
         method: Method::Border(BorderSettings::default()),
         layers: vec![Layer::Surface, Layer::State],
-        compare_with_full: true,
+        checked: CheckedPixels::All,
         ..Settings::new([SIDE, SIDE])
     };
     let picture = render_with_layers(&scene, &settings, &Run::default());

@@ -1,6 +1,6 @@
 //! Pencil tracing: what is not split to rays is within the stated tolerance.
 
-use brt_render::{Layer, Method, PencilSettings, Run, SampleState, Settings};
+use brt_render::{CheckedPixels, Layer, Method, PencilSettings, Run, SampleState, Settings};
 use brt_scene::Scene;
 use brt_testkit::{
     AnyScene, Difference, Rendered, all_shapes, any_scene, render_with_layers, replay_hint, scaled,
@@ -29,7 +29,7 @@ fn broken(picture: &Rendered, tolerance: f64) -> Option<usize> {
 fn filled_share(scene: &Scene, size: [u32; 2], pencil: PencilSettings) -> Result<f64, String> {
     let layers = vec![Layer::State];
     let method = Method::Pencil(pencil);
-    let settings = Settings { method, layers, compare_with_full: true, ..Settings::new(size) };
+    let settings = Settings { method, layers, checked: CheckedPixels::All, ..Settings::new(size) };
     let picture = render_with_layers(scene, &settings, &Run::default());
     if let Some(i) = broken(&picture, pencil.tolerance) {
         let difference = Difference {

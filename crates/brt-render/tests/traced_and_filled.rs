@@ -25,7 +25,7 @@ fn any_filling_method() -> impl Strategy<Value = Method> {
 /// Everything that must hold of a picture with filled samples, one sample a pixel.
 fn broken_promise(scene: &Scene, method: Method, size: [u32; 2], history: HistoryKind) -> Option<String> {
     let layers = vec![Layer::State, Layer::History];
-    let settings = Settings { method, history, layers, compare_with_full: true, ..Settings::new(size) };
+    let settings = Settings { method, history, layers, checked: CheckedPixels::All, ..Settings::new(size) };
     let picture = render_with_layers(scene, &settings, &Run { threads: 1, ..Run::default() });
     let broken = traced_but_not_full(&picture).or_else(|| filled_beyond_traced(&picture));
     if let Some(difference) = broken {

@@ -2,22 +2,22 @@
 
 use std::path::{Path, PathBuf};
 
-use brt_image::{Comparison, EncodeError, Encoding, PictureFormat, PictureSize, Target};
-use brt_render::{RenderError, Run, Settings, Stats, render};
+use brt_image::{EncodeError, Encoding, PictureFormat, PictureSize, Target};
+use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
 use brt_scene::Scene;
 use rayon::ThreadPoolBuilder;
 use thiserror::Error;
 
 use crate::layer_paint::LayerPainter;
 use crate::layers::PictureLayer;
-use crate::measure::ErrorMeasure;
+use crate::measure::{ErrorMeasure, Verification};
 use crate::picture_files::{PictureFiles, layer_path};
 
 /// Where a picture goes, and how it is stored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
-    /// The picture's file, or standard output.
-    pub target: Target,
+    /// The picture's file, or standard output; `None` if it is not kept: for timing and checking.
+    pub target: Option<Target>,
     /// Format, depth and transfer function.
     pub encoding: Encoding,
     /// Layers that are written too: inside the file if it is EXR, else as `out.depth.png` beside `out.png`.
@@ -45,17 +45,22 @@ impl Output {
         let format = PictureFormat::from_path(path)
             .ok_or_else(|| OutputError::UnknownExtension { path: path.to_owned() })?;
         let encoding = Encoding { format, ..Encoding::default() };
-        Ok(Self { target: Target::File(path.to_owned()), encoding, layers: Vec::new() })
+        Ok(Self { target: Some(Target::File(path.to_owned())), encoding, layers: Vec::new() })
     }
 
     /// A PNG on standard output: 8 bits, sRGB, no layers.
     pub fn to_stdout() -> Self {
-        Self { target: Target::Stdout, encoding: Encoding::default(), layers: Vec::new() }
+        Self { target: Some(Target::Stdout), encoding: Encoding::default(), layers: Vec::new() }
+    }
+
+    /// A picture that is not kept: 8 bits, sRGB, no layers.
+    pub fn nowhere() -> Self {
+        Self { target: None, encoding: Encoding::default(), layers: Vec::new() }
     }
 
     /// All files that are written, the picture first.
     pub fn files(&self) -> Vec<PathBuf> {
-        let Target::File(path) = &self.target else { return Vec::new() };
+        let Some(Target::File(path)) = &self.target else { return Vec::new() };
         let mut files = vec![path.clone()];
         if self.encoding.format != PictureFormat::Exr {
             files.extend(self.layers.iter().map(|&layer| layer_path(path, layer)));
@@ -71,8 +76,8 @@ pub struct Rendered {
     pub stats: Stats,
     /// Time for encoding and writing, and for measuring the error.
     pub encode_seconds: f64,
-    /// Error against full ray tracing, if [`Settings::compare_with_full`] asked for it or a layer needed it.
-    pub comparison: Option<Comparison>,
+    /// Error against full ray tracing, if [`Settings::checked`] asked for it or a layer needed it.
+    pub verification: Option<Verification>,
 }
 
 /// Why there are no files.
@@ -103,7 +108,7 @@ impl From<RenderError> for RenderFilesError {
     }
 }
 
-/// Renders a scene that passed [`Scene::check`] to a picture and its layers; without an output, for its statistics.
+/// Renders a scene that passed [`Scene::check`] to a picture and its layers.
 ///
 /// `settings.layers` need not be given: they follow from the output's. Files appear when the picture is complete; if
 /// anything fails, those that existed before are as they were.
@@ -114,28 +119,28 @@ pub fn render_to_files(
     scene: &Scene,
     settings: &Settings,
     run: &Run,
-    output: Option<&Output>,
+    output: &Output,
 ) -> Result<Rendered, RenderFilesError> {
     let settings = with_layers_of(output, settings);
-    let encoding = output.map(|output| output.encoding).unwrap_or_default();
+    let encoding = output.encoding;
     let size = PictureSize::new(settings.size[0], settings.size[1]);
     let pool = ThreadPoolBuilder::new().num_threads(run.threads).build()?;
     let painter = LayerPainter::new(scene, encoding);
-    let measure = settings.compare_with_full.then(|| ErrorMeasure::new(encoding));
+    let measure = (settings.checked != CheckedPixels::None).then(|| ErrorMeasure::new(encoding, &settings));
     let mut files = PictureFiles::open(output, size, painter, measure, &pool)?;
     let mut stats = render(scene, &settings, run, &mut files)?;
     stats.seconds.render -= files.seconds();
-    let (encode_seconds, comparison) = files.finish()?;
-    Ok(Rendered { stats, encode_seconds, comparison })
+    let (encode_seconds, verification) = files.finish()?;
+    Ok(Rendered { stats, encode_seconds, verification })
 }
 
-fn with_layers_of(output: Option<&Output>, settings: &Settings) -> Settings {
+fn with_layers_of(output: &Output, settings: &Settings) -> Settings {
     let mut settings = settings.clone();
-    for layer in output.iter().flat_map(|output| &output.layers) {
+    for layer in &output.layers {
         match layer.source() {
             Some(source) if !settings.layers.contains(&source) => settings.layers.push(source),
             Some(_) => {}
-            None => settings.compare_with_full = true,
+            None => settings.checked = CheckedPixels::All,
         }
     }
     settings

@@ -33,7 +33,7 @@
 //! let folder = tempfile::tempdir()?;
 //! let path = folder.path().join("clay.png");
 //! let output = Output { layers: vec![PictureLayer::State], ..Output::to_file(&path)? };
-//! render_to_files(&scene, &settings, &run, Some(&output))?;
+//! render_to_files(&scene, &settings, &run, &output)?;
 //!
 //! // **5. Comparison** is in levels of 255 of the stored values.
 //! let picture = image::read_picture(&path, image::PictureLimits::default())?;
@@ -53,6 +53,7 @@ mod picture_files;
 
 pub use files::{Output, OutputError, RenderFilesError, Rendered, render_to_files};
 pub use layers::PictureLayer;
+pub use measure::Verification;
 
 pub use brt_formats as formats;
 pub use brt_geometry as geometry;
@@ -64,10 +65,10 @@ pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, w
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb};
 pub use brt_render::{
-    Accelerator, BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Filter, HistoryKind,
-    Judge, Layer, LayerRows, Method, PencilSettings, PixelSelectedSettings, Progress, RayHistory, Regions,
-    RenderError, Rows, Run, SampleState, Samples, Settings, Sink, SinkError, Stats, VarianceDelta, prepare,
-    render,
+    Accelerator, BorderSettings, CertifiedSettings, CheckedPixels, DeviationDelta, DifferenceDelta, Filter,
+    HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings, PixelSelectedSettings, Progress,
+    RayHistory, Regions, RenderError, Rows, Run, SampleState, Samples, Settings, Sink, SinkError, Stats,
+    VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

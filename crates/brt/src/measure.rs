@@ -1,51 +1,105 @@
 //! Error of a picture against full ray tracing, measured before quantisation.
 
 use brt_image::{Comparison, DifferenceMeter, Encoding, PictureFormat};
+use brt_render::{CheckedPixels, Rows, Settings};
 use rayon::prelude::*;
 
-/// Pixels measured by one task. Fixed, so that sums do not depend on the number of threads.
-const TASK_PIXELS: usize = 1 << 12;
+/// How far checked pixels are from full ray tracing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verification {
+    /// Measures over the checked pixels.
+    pub comparison: Comparison,
+    /// What the errors are held against, in levels of 255: what the method promises, else 1.
+    pub limit: f64,
+    /// Checked pixels of which some channel differs by more.
+    pub above: u64,
+    /// Column and row of the pixel that differs most, the first of them.
+    pub worst: [u32; 2],
+}
 
 /// Measures in levels of 255 of what is stored: after the transfer function, clamped; for EXR neither.
 pub(crate) struct ErrorMeasure {
     encoding: Encoding,
+    checked: CheckedPixels,
+    limit: f64,
+    found: Found,
+}
+
+/// What is measured of some rows.
+#[derive(Clone, Copy, Default)]
+struct Found {
     meter: DifferenceMeter,
+    above: u64,
+    worst: [u32; 2],
+    worst_error: f64,
 }
 
 impl ErrorMeasure {
-    pub(crate) fn new(encoding: Encoding) -> Self {
-        Self { encoding, meter: DifferenceMeter::default() }
+    pub(crate) fn new(encoding: Encoding, settings: &Settings) -> Self {
+        let limit = settings.method.promised_error().unwrap_or(1.0);
+        Self { encoding, checked: settings.checked, limit, found: Found::default() }
     }
 
-    /// Takes pixels of the picture and the same by full ray tracing, both linear.
-    pub(crate) fn add(&mut self, colors: &[[f32; 3]], full: &[[f32; 3]]) {
-        let encoding = self.encoding;
-        let parts: Vec<DifferenceMeter> = colors
-            .par_chunks(TASK_PIXELS)
-            .zip(full.par_chunks(TASK_PIXELS))
-            .map(|(colors, full)| {
-                let mut meter = DifferenceMeter::default();
-                for (&a, &b) in colors.iter().zip(full) {
-                    let (a, b) = levels_of_both(encoding, a, b);
-                    meter.add_levels(a, b);
-                }
-                meter
-            })
+    /// Takes rows of the picture and the same by full ray tracing, both linear.
+    pub(crate) fn add(&mut self, rows: &Rows, full: &[[f32; 3]]) {
+        let width = rows.width as usize;
+        // Row by row, so that sums do not depend on the number of threads.
+        let parts: Vec<Found> = rows
+            .colors
+            .par_chunks(width)
+            .zip(full.par_chunks(width))
+            .zip(rows.first..rows.first + rows.count())
+            .filter(|(_, row)| self.checked.includes_row(*row))
+            .map(|((colors, full), row)| self.measured(row, colors, full))
             .collect();
         for part in &parts {
-            self.meter.merge(part);
+            self.found.merge(part);
         }
     }
 
-    pub(crate) fn comparison(&self) -> Comparison {
-        self.meter.comparison()
+    fn measured(&self, row: u32, colors: &[[f32; 3]], full: &[[f32; 3]]) -> Found {
+        let mut found = Found { worst: [0, row], ..Found::default() };
+        for (column, (&a, &b)) in (0..).zip(colors.iter().zip(full)) {
+            let (a, b) = levels_of_both(self.encoding, a, b);
+            found.meter.add_levels(a, b);
+            let error = greatest_difference(a, b);
+            found.above += u64::from(error > self.limit);
+            if error > found.worst_error {
+                (found.worst, found.worst_error) = ([column, row], error);
+            }
+        }
+        found
     }
+
+    pub(crate) fn verification(&self) -> Verification {
+        let Found { meter, above, worst, .. } = self.found;
+        Verification { comparison: meter.comparison(), limit: self.limit, above, worst }
+    }
+}
+
+impl Found {
+    fn merge(&mut self, other: &Self) {
+        self.meter.merge(&other.meter);
+        self.above += other.above;
+        if other.worst_error > self.worst_error {
+            (self.worst, self.worst_error) = (other.worst, other.worst_error);
+        }
+    }
+}
+
+/// The greatest difference of any channel; infinite where only one is a number.
+fn greatest_difference(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let difference = |i: usize| match (a[i] - b[i]).abs() {
+        d if d.is_nan() && a[i] != b[i] && !(a[i].is_nan() && b[i].is_nan()) => f64::INFINITY,
+        d => d,
+    };
+    difference(0).max(difference(1)).max(difference(2))
 }
 
 /// The greatest difference of any channel of a pixel, in levels.
 pub(crate) fn error_levels(encoding: Encoding, a: [f32; 3], b: [f32; 3]) -> f64 {
     let (a, b) = levels_of_both(encoding, a, b);
-    (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
+    greatest_difference(a, b)
 }
 
 /// Most pixels are equal: they need no power.
@@ -77,11 +131,17 @@ mod tests {
     }
 
     #[test]
-    fn pixels_over_the_levels_are_counted() {
+    fn pixels_above_the_limit_are_counted_in_checked_rows_only() {
         let linear = Encoding { transfer: Transfer::Linear, ..Encoding::default() };
-        let mut measure = ErrorMeasure::new(linear);
-        measure.add(&[[0.0; 3], [1.0; 3]], &[[0.0; 3], [0.0; 3]]);
-        let comparison = measure.comparison();
-        assert_eq!((comparison.pixels, comparison.over_10, comparison.max_error), (2, 1, 255.0));
+        let settings = Settings { checked: CheckedPixels::Rows, ..Settings::new([2, 17]) };
+        let mut measure = ErrorMeasure::new(linear, &settings);
+        let mut colors = vec![[0.0; 3]; 34];
+        // Row 1 is not checked; full ray tracing promises 0, so each difference in rows 0 and 16 is above.
+        (colors[1], colors[2], colors[32]) = ([1.0; 3], [1.0; 3], [0.5; 3]);
+        let rows = Rows { first: 0, width: 2, colors, full: None, layers: Vec::new() };
+        measure.add(&rows, &[[0.0; 3]; 34]);
+        let found = measure.verification();
+        assert_eq!((found.comparison.pixels, found.above, found.worst), (4, 2, [1, 0]));
+        assert_eq!((found.comparison.max_error, found.limit), (255.0, 0.0));
     }
 }

@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use brt_image::{
-    BandWriter, Comparison, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target,
-    encoder,
+    BandWriter, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target, encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
 use rayon::ThreadPool;
@@ -13,7 +12,7 @@ use rayon::ThreadPool;
 use crate::files::Output;
 use crate::layer_paint::LayerPainter;
 use crate::layers::PictureLayer;
-use crate::measure::ErrorMeasure;
+use crate::measure::{ErrorMeasure, Verification};
 
 /// Takes rows: measures them against full ray tracing if that was rendered, and writes them if there is an output.
 pub(crate) struct PictureFiles<'a> {
@@ -28,24 +27,24 @@ pub(crate) struct PictureFiles<'a> {
 impl<'a> PictureFiles<'a> {
     /// Opens every file, so that what cannot be written is known before the rendering.
     pub(crate) fn open(
-        output: Option<&Output>,
+        output: &Output,
         size: PictureSize,
         painter: LayerPainter,
         measure: Option<ErrorMeasure>,
         pool: &'a ThreadPool,
     ) -> Result<Self, EncodeError> {
-        let files = output.map(|output| OpenFiles::open(output, size)).transpose()?;
+        let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, size)).transpose()?;
         Ok(Self { files, painter, measure, pool, seconds: 0.0 })
     }
 
     /// Puts all files in place. Returns the time spent on encoding and the measured error.
-    pub(crate) fn finish(self) -> Result<(f64, Option<Comparison>), EncodeError> {
+    pub(crate) fn finish(self) -> Result<(f64, Option<Verification>), EncodeError> {
         let begin = Instant::now();
         if let Some(files) = self.files {
             self.pool.install(|| files.finish())?;
         }
         let seconds = self.seconds + begin.elapsed().as_secs_f64();
-        Ok((seconds, self.measure.map(|m| m.comparison())))
+        Ok((seconds, self.measure.map(|m| m.verification())))
     }
 
     /// Time spent on encoding and measuring so far.
@@ -60,7 +59,7 @@ impl Sink for PictureFiles<'_> {
         let Self { files, painter, measure, pool, .. } = self;
         pool.install(|| -> Result<(), EncodeError> {
             if let (Some(measure), Some(full)) = (measure, &rows.full) {
-                measure.add(&rows.colors, full);
+                measure.add(rows, full);
             }
             files.as_mut().map_or(Ok(()), |files| files.write(rows, painter))
         })?;
@@ -78,8 +77,8 @@ enum OpenFiles {
 }
 
 impl OpenFiles {
-    fn open(output: &Output, size: PictureSize) -> Result<Self, EncodeError> {
-        let Output { target, encoding, layers } = output;
+    fn open(output: &Output, target: &Target, size: PictureSize) -> Result<Self, EncodeError> {
+        let Output { encoding, layers, .. } = output;
         if encoding.format == PictureFormat::Exr {
             let names = layers.iter().flat_map(|layer| layer.channels()).copied();
             let encoder = ExrEncoder::new(target.open()?, size, &ExrLayers::new(names))?;
@@ -88,7 +87,7 @@ impl OpenFiles {
         let picture = encoder(target.open()?, size, *encoding)?;
         let open = |&layer: &PictureLayer| {
             let encoding = Encoding { transfer: layer.transfer(), ..*encoding };
-            Ok((layer, encoder(output.layer_target(layer).open()?, size, encoding)?))
+            Ok((layer, encoder(layer_target(target, layer).open()?, size, encoding)?))
         };
         let layers = layers.iter().map(open).collect::<Result<_, EncodeError>>()?;
         Ok(Self::Separate { picture, layers })
@@ -127,11 +126,9 @@ pub(crate) fn layer_path(picture: &Path, layer: PictureLayer) -> PathBuf {
     picture.with_extension(format!("{}.{extension}", layer.name()))
 }
 
-impl Output {
-    fn layer_target(&self, layer: PictureLayer) -> Target {
-        match &self.target {
-            Target::File(path) => Target::File(layer_path(path, layer)),
-            Target::Stdout => Target::Stdout,
-        }
+fn layer_target(picture: &Target, layer: PictureLayer) -> Target {
+    match picture {
+        Target::File(path) => Target::File(layer_path(path, layer)),
+        Target::Stdout => Target::Stdout,
     }
 }

@@ -44,9 +44,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let comparison = image::compare(&reference, &test)?;
     if let Some(output) = heat_output {
         let map = heat_map(&reference, &test)?;
-        let mut encoder = image::encoder(output.target.open()?, map.size(), output.encoding)?;
-        encoder.write(map.pixels())?;
-        encoder.finish()?;
+        if let Some(target) = output.target {
+            let mut encoder = image::encoder(target.open()?, map.size(), output.encoding)?;
+            encoder.write(map.pixels())?;
+            encoder.finish()?;
+        }
     }
     if options.json {
         output::line(&json::text(&ComparisonJson::from(&comparison))?);

@@ -175,7 +175,7 @@ fn no_save_writes_nothing_but_stats() {
 fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
     let bench = Bench::new();
     let full = bench.done(&format!("render ball.toml {QUICK} --method full --verify"));
-    assert_eq!(full.text(), "3,072 pixels checked, greatest error 0.00 level, 0 above 1\n");
+    assert_eq!(full.text(), "3,072 pixels checked, greatest error 0.00 level, 0 above 0\n");
     let border = bench.done(&format!("render ball.toml {QUICK} --delta 128 --verify"));
     assert!(border.text().starts_with("3,072 pixels checked, greatest error "), "{}", border.text());
     let over = bench.run(&format!("render ball.toml {QUICK} --delta 128 --max-error 0"));

@@ -8,11 +8,16 @@ use crate::tracing::reference_sample;
 pub(crate) fn render_full(worker: &mut TileWorker, tile: &Tile) {
     let mut clock = StageClock::start();
     for y in 0..tile.height {
-        for x in 0..tile.width {
-            worker.trace(tile, x, y, First::Searched);
-        }
+        trace_row(worker, tile, y);
     }
     worker.lap(&mut clock, |c| &mut c.seconds.trace);
+}
+
+/// Traces all samples in a row of a tile.
+pub(crate) fn trace_row(worker: &mut TileWorker, tile: &Tile, y: u32) {
+    for x in 0..tile.width {
+        worker.trace(tile, x, y, First::Searched);
+    }
 }
 
 /// The same by the oracle, which counts nothing but samples.

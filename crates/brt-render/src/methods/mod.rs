@@ -19,7 +19,7 @@ pub use pixel_selected::PixelSelectedSettings;
 
 pub(crate) use border::render_border;
 pub(crate) use certified::render_certified;
-pub(crate) use full::{render_full, render_reference};
+pub(crate) use full::{render_full, render_reference, trace_row};
 pub(crate) use item_buffer::render_item_buffer;
 pub(crate) use pencil::render_pencil;
 pub(crate) use pixel_selected::render_pixel_selected;

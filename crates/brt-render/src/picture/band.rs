@@ -4,7 +4,7 @@ use super::filter::TileColors;
 use super::layers::{Layer, LayerRows};
 use super::sink::Rows;
 use crate::products::{SampleGrid, Tile};
-use crate::settings::Settings;
+use crate::settings::{CheckedPixels, Settings};
 
 /// A finished tile: shares of pixels, and its layers.
 pub(crate) struct TilePicture {
@@ -25,7 +25,7 @@ pub(crate) struct BandAssembler<'a> {
 
 impl<'a> BandAssembler<'a> {
     pub(crate) fn new(grid: &'a SampleGrid, settings: &'a Settings) -> Self {
-        let full = settings.compare_with_full.then(Vec::new);
+        let full = (settings.checked != CheckedPixels::None).then(Vec::new);
         let layers = settings.layers.iter().map(|&layer| LayerRows::empty(layer, 0)).collect();
         let open = Rows { first: 0, width: grid.width, colors: Vec::new(), full, layers };
         Self { grid, layers: &settings.layers, open }

@@ -14,7 +14,7 @@ pub enum Filter {
 
 impl Filter {
     /// How many pixels beyond its own a sample reaches.
-    fn margin(self) -> u32 {
+    pub(crate) fn margin(self) -> u32 {
         match self {
             Self::Box => 0,
             Self::Gaussian => 1,

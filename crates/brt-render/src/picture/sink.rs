@@ -11,7 +11,8 @@ pub struct Rows {
     pub width: u32,
     /// Linear RGB, row by row, not clamped.
     pub colors: Vec<[f32; 3]>,
-    /// The same rows by full ray tracing, if [`Settings::compare_with_full`](crate::Settings) asks for them.
+    /// The same rows by full ray tracing; means something in those that [`Settings::checked`](crate::Settings) asks
+    /// for. `None` if that is none.
     pub full: Option<Vec<[f32; 3]>>,
     /// The layers that were asked for, in that order.
     pub layers: Vec<LayerRows>,

@@ -63,7 +63,7 @@ fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Set
         history: options.paper.history.unwrap_or_default().into(),
         max_depth: options.max_depth,
         layers: Vec::new(),
-        compare_with_full: options.verifies(),
+        checked: options.checked(),
     })
 }
 
@@ -80,7 +80,7 @@ fn render(
         cancel: Some(interrupt::listen()),
         ..Run::default()
     };
-    render_to_files(scene, settings, &run, targets.picture.as_ref()).map_err(failure)
+    render_to_files(scene, settings, &run, &targets.picture).map_err(failure)
 }
 
 fn failure(error: RenderFilesError) -> Failure {
@@ -91,6 +91,6 @@ fn failure(error: RenderFilesError) -> Failure {
 }
 
 fn outcome(options: &Options, rendered: &Rendered) -> Outcome {
-    let error = rendered.comparison.map_or(0.0, |c| c.max_error);
+    let error = rendered.verification.map_or(0.0, |found| found.comparison.max_error);
     if options.max_error.is_some_and(|limit| error > limit) { Outcome::OverLimit } else { Outcome::Done }
 }

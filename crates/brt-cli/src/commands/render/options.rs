@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-use brt::{BitDepth, Limits, PictureLayer, Samples};
+use brt::{BitDepth, CheckedPixels, Limits, PictureLayer, Samples};
 use clap::{ArgAction, Args, ValueEnum};
 
 use super::paper::PaperOptions;
@@ -51,9 +51,11 @@ pub(crate) struct Options {
     /// Write counts and times as JSON; `-` for standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) stats: Option<PathBuf>,
-    /// Compare every pixel with full ray tracing, before quantisation; its time counts as `render`, its rays do not
-    #[arg(long)]
-    pub(crate) verify: bool,
+    /// Compare every pixel, or those in the first row of every 16, with full ray tracing, before quantisation; its time
+    /// counts as `render`, its rays do not
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true,
+          default_missing_value = "all")]
+    pub(crate) verify: Option<VerifyName>,
     /// Verify, and exit with 3 if an error is greater than this, in levels of 255
     #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
     pub(crate) max_error: Option<f64>,
@@ -85,15 +87,35 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// Is every pixel compared with full ray tracing?
+    /// Are pixels compared with full ray tracing?
     pub(crate) fn verifies(&self) -> bool {
-        self.verify || self.max_error.is_some()
+        self.checked() != CheckedPixels::None
+    }
+
+    /// Which pixels are compared with full ray tracing.
+    pub(crate) fn checked(&self) -> CheckedPixels {
+        match self.verify {
+            // Where a pixel is looked at, it is that which is compared.
+            Some(VerifyName::Rows) if self.pixel.is_none() => CheckedPixels::Rows,
+            Some(_) => CheckedPixels::All,
+            None if self.max_error.is_some() => CheckedPixels::All,
+            None => CheckedPixels::None,
+        }
     }
 
     /// How many threads render.
     pub(crate) fn thread_count(&self) -> usize {
         self.threads.map_or_else(|| available_parallelism().map_or(1, NonZero::get), usize::from)
     }
+}
+
+/// Checked pixels by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum VerifyName {
+    /// The first row of every 16
+    Rows,
+    /// Every pixel
+    All,
 }
 
 /// Methods by name.

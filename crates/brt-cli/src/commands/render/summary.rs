@@ -1,6 +1,6 @@
 //! The last words of a rendering.
 
-use brt::{Comparison, Judge, Method, Rendered, Settings, Target};
+use brt::{Judge, Method, Rendered, Settings, Target, Verification};
 
 use super::options::Options;
 use super::targets::Targets;
@@ -14,10 +14,10 @@ pub(super) fn show(
     rendered: &Rendered,
     total: f64,
 ) {
-    let to_stdout = targets.picture.as_ref().is_some_and(|p| p.target == Target::Stdout)
+    let to_stdout = targets.picture.target == Some(Target::Stdout)
         || targets.stats.as_deref().is_some_and(crate::scene_input::is_dash);
-    if let (true, Some(comparison)) = (options.verifies(), &rendered.comparison) {
-        let line = verification(comparison);
+    if let (true, Some(found)) = (options.verifies(), &rendered.verification) {
+        let line = verification(found);
         if to_stdout { output::note(&line) } else { output::line(&line) }
     }
     if options.verbose {
@@ -29,24 +29,23 @@ pub(super) fn show(
 }
 
 /// The line to cite. The error is rounded up: what is cited holds.
-fn verification(c: &Comparison) -> String {
-    let greatest = (c.max_error * 100.0).ceil() / 100.0;
+fn verification(found: &Verification) -> String {
+    let Verification { comparison, limit, above, worst: [x, y] } = found;
+    let greatest = (comparison.max_error * 100.0).ceil() / 100.0;
     let levels = if greatest > 1.0 { "levels" } else { "level" };
+    let place = if *above > 0 { format!(", worst at {x},{y}") } else { String::new() };
     format!(
-        "{} pixels checked, greatest error {greatest:.2} {levels}, {} above 1",
-        grouped(c.pixels),
-        grouped(c.over_1)
+        "{} pixels checked, greatest error {greatest:.2} {levels}, {} above {limit}{place}",
+        grouped(comparison.pixels),
+        grouped(*above)
     )
 }
 
 /// `a.png 4096×4096 ×16 · 1.8 s · 1.4 % traced · border Δ 16`
 fn last_line(targets: &Targets, settings: &Settings, rendered: &Rendered, total: f64) -> String {
-    let name = match &targets.picture {
-        Some(picture) => match &picture.target {
-            Target::File(path) => format!("{} ", path.display()),
-            Target::Stdout => String::new(),
-        },
-        None => String::new(),
+    let name = match &targets.picture.target {
+        Some(Target::File(path)) => format!("{} ", path.display()),
+        Some(Target::Stdout) | None => String::new(),
     };
     let [width, height] = settings.size;
     let pixels = rendered.stats.pixels;
@@ -123,6 +122,7 @@ fn grouped(number: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use brt::Comparison;
 
     #[test]
     fn numbers_read_well() {
@@ -138,9 +138,14 @@ mod tests {
 
     #[test]
     fn cited_errors_are_rounded_up() {
-        let comparison = Comparison { pixels: 4096, max_error: 0.901, over_1: 0, ..Comparison::default() };
-        assert_eq!(verification(&comparison), "4,096 pixels checked, greatest error 0.91 level, 0 above 1");
-        let comparison = Comparison { pixels: 10, max_error: 37.5, over_1: 2, ..Comparison::default() };
-        assert_eq!(verification(&comparison), "10 pixels checked, greatest error 37.50 levels, 2 above 1");
+        let cited = |pixels, max_error, limit, above| {
+            let comparison = Comparison { pixels, max_error, ..Comparison::default() };
+            verification(&Verification { comparison, limit, above, worst: [3, 4] })
+        };
+        assert_eq!(cited(4096, 0.901, 1.0, 0), "4,096 pixels checked, greatest error 0.91 level, 0 above 1");
+        assert_eq!(
+            cited(10, 37.5, 0.25, 2),
+            "10 pixels checked, greatest error 37.50 levels, 2 above 0.25, worst at 3,4"
+        );
     }
 }

@@ -15,8 +15,7 @@ const GREATEST_SIDE: u32 = 1 << 24;
 
 /// All files that are written.
 pub(super) struct Targets {
-    /// `None` if no picture is written.
-    pub(super) picture: Option<Output>,
+    pub(super) picture: Output,
     /// `-` for standard output.
     pub(super) stats: Option<PathBuf>,
 }
@@ -24,13 +23,14 @@ pub(super) struct Targets {
 impl Targets {
     pub(super) fn new(options: &Options) -> Result<Self, Failure> {
         let writes = !options.no_save && options.pixel.is_none();
-        let picture = writes.then(|| picture(options)).transpose()?;
+        let picture = if writes { picture(options)? } else { Output::nowhere() };
+        let picture = encoded(picture, options)?;
         let stats = options.stats.clone();
-        let to_stdout = picture.as_ref().is_some_and(|p| p.target == brt::Target::Stdout);
+        let to_stdout = picture.target == Some(brt::Target::Stdout);
         if to_stdout && stats.as_deref().is_some_and(is_dash) {
             return Err(wrong_use("the picture and its statistics cannot both go to standard output"));
         }
-        let mut files = picture.as_ref().map(Output::files).unwrap_or_default();
+        let mut files = picture.files();
         files.extend(stats.iter().filter(|path| !is_dash(path)).cloned());
         check_distinct(&options.scene, &files)?;
         Ok(Self { picture, stats })
@@ -40,11 +40,13 @@ impl Targets {
 fn picture(options: &Options) -> Result<Output, Failure> {
     let path = options.output.clone().or_else(|| options.out.clone());
     let path = path.unwrap_or_else(|| default_path(&options.scene));
-    let mut output = if is_dash(&path) {
-        to_stdout(options)?
-    } else {
-        Output::to_file(&path).map_err(|error| wrong_use(error.to_string()))?
-    };
+    if is_dash(&path) {
+        return to_stdout(options);
+    }
+    Output::to_file(&path).map_err(|error| wrong_use(error.to_string()))
+}
+
+fn encoded(mut output: Output, options: &Options) -> Result<Output, Failure> {
     if options.bits.is_some() && output.encoding.format == PictureFormat::Exr {
         return Err(wrong_use("`--bits` belongs to .png and .ppm; .exr has 32-bit floats"));
     }
