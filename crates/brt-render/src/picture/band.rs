@@ -36,14 +36,15 @@ impl<'a> BandAssembler<'a> {
         let last_row =
             |t: &TilePicture| t.colors.y + i64::from(t.colors.colors.len() as u32 / t.colors.width);
         let end = tiles.iter().map(last_row).max().unwrap_or(0).clamp(0, i64::from(self.grid.height)) as u32;
-        self.make_room(end - self.open.first);
-        for tile in tiles {
-            add_colors(self.grid, self.open.first, &mut self.open.colors, &tile.colors);
-            if let (Some(open), Some(part)) = (&mut self.open.full, &tile.full) {
-                add_colors(self.grid, self.open.first, open, part);
-            }
-            self.copy_layers(tile);
+        let rows = end - self.open.first;
+        let colors = tiles.iter().map(|tile| &tile.colors);
+        add_tiles(self.grid, self.open.first, rows, &mut self.open.colors, colors);
+        if let Some(open) = &mut self.open.full {
+            let full = tiles.iter().filter_map(|tile| tile.full.as_ref());
+            add_tiles(self.grid, self.open.first, rows, open, full);
         }
+        self.make_room_for_layers(rows);
+        tiles.iter().for_each(|tile| self.copy_layers(tile));
         let band_end = tiles.first().map_or(0, |t| (t.tile.y + t.tile.height) / self.grid.per_side);
         // With a wide filter the next band still adds to this band's last row.
         let is_last = band_end == self.grid.height;
@@ -51,12 +52,8 @@ impl<'a> BandAssembler<'a> {
         self.hand_out(end - waiting - self.open.first)
     }
 
-    fn make_room(&mut self, rows: u32) {
+    fn make_room_for_layers(&mut self, rows: u32) {
         let count = (rows * self.grid.width) as usize;
-        self.open.colors.resize(count, [0.0; 3]);
-        if let Some(full) = &mut self.open.full {
-            full.resize(count, [0.0; 3]);
-        }
         let old = std::mem::take(&mut self.open.layers);
         self.open.layers = self.layers.iter().map(|&layer| LayerRows::empty(layer, count)).collect();
         for (new, old) in self.open.layers.iter_mut().zip(&old) {
@@ -92,18 +89,44 @@ impl<'a> BandAssembler<'a> {
     }
 }
 
+/// Adds the shares of a band's tiles to the rows of the picture from `first` on that are open.
+fn add_tiles<'t>(
+    grid: &SampleGrid,
+    first: u32,
+    rows: u32,
+    open: &mut Vec<[f32; 3]>,
+    tiles: impl Iterator<Item = &'t TileColors> + Clone,
+) {
+    let width: usize = tiles.clone().map(|tile| tile.width as usize).sum();
+    if open.is_empty() && width == grid.width as usize {
+        // No tile reaches into another: rows are joined as they are.
+        open.reserve_exact(rows as usize * width);
+        let mut lines: Vec<_> =
+            tiles.map(|tile| tile.colors.chunks_exact(tile.width as usize)).collect();
+        for _ in 0..rows {
+            lines.iter_mut().filter_map(Iterator::next).for_each(|line| open.extend_from_slice(line));
+        }
+        return;
+    }
+    open.resize((rows * grid.width) as usize, [0.0; 3]);
+    tiles.for_each(|tile| add_colors(grid, first, open, tile));
+}
+
 /// Adds a tile's shares to rows of the picture that begin at row `first`.
 fn add_colors(grid: &SampleGrid, first: u32, rows: &mut [[f32; 3]], part: &TileColors) {
     let (width, height) = (i64::from(grid.width), i64::from(grid.height));
+    // Filters reach beyond the picture's edge.
+    let begin = part.x.max(0);
+    let end = (part.x + i64::from(part.width)).min(width);
     for (row, colors) in (part.y..).zip(part.colors.chunks_exact(part.width as usize)) {
         if !(0..height).contains(&row) {
             continue;
         }
-        for (column, color) in (part.x..).zip(colors) {
-            if (0..width).contains(&column) {
-                let at = &mut rows[((row - i64::from(first)) * width + column) as usize];
-                *at = std::array::from_fn(|c| at[c] + color[c]);
-            }
+        let place = (row - i64::from(first)) * width;
+        let sums = &mut rows[(place + begin) as usize..(place + end) as usize];
+        let colors = &colors[(begin - part.x) as usize..(end - part.x) as usize];
+        for (sum, color) in sums.iter_mut().zip(colors) {
+            *sum = std::array::from_fn(|c| sum[c] + color[c]);
         }
     }
 }
