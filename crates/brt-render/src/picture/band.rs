@@ -101,8 +101,7 @@ fn add_tiles<'t>(
     if open.is_empty() && width == grid.width as usize {
         // No tile reaches into another: rows are joined as they are.
         open.reserve_exact(rows as usize * width);
-        let mut lines: Vec<_> =
-            tiles.map(|tile| tile.colors.chunks_exact(tile.width as usize)).collect();
+        let mut lines: Vec<_> = tiles.map(|tile| tile.colors.chunks_exact(tile.width as usize)).collect();
         for _ in 0..rows {
             lines.iter_mut().filter_map(Iterator::next).for_each(|line| open.extend_from_slice(line));
         }

@@ -38,7 +38,16 @@ struct Seen<'a> {
     material: &'a PreparedMaterial,
 }
 
-/// What a level adds to the colour of the level above.
+/// Working memory of packets: what each level adds to the colour of the level above.
+pub(super) struct Levels([Level; MOST_LEVELS]);
+
+impl Default for Levels {
+    fn default() -> Self {
+        let zero = Lanes::constant(0.0);
+        Self([Level { local: lift(Rgb::BLACK), share: zero, goes_on: LaneMask::FALSE }; MOST_LEVELS])
+    }
+}
+
 #[derive(Clone, Copy)]
 struct Level {
     local: Rgb<Lanes>,
@@ -63,14 +72,11 @@ impl Tracer<'_> {
         self.search.count_tests(lanes.count());
         let t = self.scene.primitives[first as usize].first_hit(ray, start(first, FROM_NOWHERE)).t;
         let mut rays = Rays { ray: *ray, primitive: Lanes::constant(f64::from(first)), t, lanes };
-        let black = lift(Rgb::BLACK);
-        let nothing = Level { local: black, share: Lanes::constant(0.0), goes_on: LaneMask::FALSE };
-        let mut levels = [nothing; MOST_LEVELS];
         let mut guide = guide;
         let mut depth = 0;
         loop {
             let (level, next) = self.level(&rays, depth, guide);
-            levels[depth as usize] = level;
+            self.levels.0[depth as usize] = level;
             if !level.goes_on.any() {
                 break;
             }
@@ -79,8 +85,9 @@ impl Tracer<'_> {
             guide = guide.next();
             depth += 1;
         }
-        let mut color = levels[depth as usize].local;
-        for level in levels[..depth as usize].iter().rev() {
+        let (above, last) = self.levels.0.split_at(depth as usize);
+        let mut color = last[0].local;
+        for level in above.iter().rev() {
             color = select(level.goes_on, level.local + color * level.share, level.local);
         }
         color

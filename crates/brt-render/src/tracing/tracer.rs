@@ -7,6 +7,7 @@ use super::MOST_RAYS_PER_SAMPLE;
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
+use super::packet::Levels;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
@@ -25,6 +26,7 @@ pub(crate) struct Tracer<'a> {
     pub(super) search: Search<'a>,
     history_kind: HistoryKind,
     pub(super) max_depth: u32,
+    pub(super) levels: Levels,
     history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
     pub(super) rays_left: u32,
@@ -35,7 +37,16 @@ impl<'a> Tracer<'a> {
     pub(crate) fn new(scene: &'a PreparedScene, history_kind: HistoryKind, max_depth: u32) -> Self {
         let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
-        Self { scene, search, history_kind, max_depth, history, rays_left: 0, counters }
+        Self {
+            scene,
+            search,
+            history_kind,
+            max_depth,
+            levels: Levels::default(),
+            history,
+            rays_left: 0,
+            counters,
+        }
     }
 
     /// Everything counted since the last call.
