@@ -23,8 +23,8 @@ pub use methods::{
 pub use picture::{Filter, Layer, LayerRows, Rows, Sink, SinkError};
 pub use prepare::{PreparedCamera, prepare};
 pub use products::{
-    BlockCounts, PixelCounts, PreparedScene, RayCounts, RayHistory, SampleGrid, SampleState, Seconds, Stats,
-    Surface,
+    BlockCounts, Certificate, CertificateCounts, PixelCounts, PreparedScene, RayCounts, RayHistory,
+    SampleGrid, SampleState, Seconds, Stats, Surface, Tries,
 };
 pub use render::{RenderError, render};
 pub use run::{Progress, Run, TileOrder};

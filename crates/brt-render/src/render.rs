@@ -105,7 +105,7 @@ pub(crate) fn render_tile(
     tile: &Tile,
     outlines: &[Outline],
 ) -> TilePicture {
-    worker.samples.reset(tile);
+    worker.reset(tile);
     // "Make a perspective image of the objects" (P3): what each sample sees first, without rays.
     if job.outlines.is_some() {
         let mut clock = StageClock::start();

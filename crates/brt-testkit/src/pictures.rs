@@ -67,6 +67,7 @@ impl Rendered {
             LayerRows::Normal(rows) => self.normal.extend(rows),
             LayerRows::History(rows) => self.history.extend(rows),
             LayerRows::State(rows) => self.state.extend(rows),
+            LayerRows::Certificates(_) => {}
         }
     }
 

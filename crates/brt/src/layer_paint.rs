@@ -1,7 +1,7 @@
 //! Layers as colours for picture files, and as values for EXR.
 
-use brt_image::{Encoding, heat_color, id_color};
-use brt_render::{LayerRows, RayHistory, Rows, SampleState};
+use brt_image::{Encoding, Transfer, heat_color, id_color};
+use brt_render::{Certificate, LayerRows, RayHistory, Rows, SampleState};
 use brt_scene::Scene;
 
 use crate::layers::PictureLayer;
@@ -29,6 +29,7 @@ impl LayerPainter {
             Some(LayerRows::Normal(normals)) => normals.iter().map(|n| n.map(|c| 0.5 + 0.5 * c)).collect(),
             Some(LayerRows::History(histories)) => histories.iter().map(|&h| history_color(h)).collect(),
             Some(LayerRows::State(states)) => states.iter().map(|&s| [state_grey(s); 3]).collect(),
+            Some(LayerRows::Certificates(causes)) => causes.iter().map(|&c| cause_color(c)).collect(),
             None => self.errors(rows).into_iter().map(|e| heat_color(f64::from(e))).collect(),
         }
     }
@@ -39,7 +40,7 @@ impl LayerPainter {
             Some(LayerRows::Surface(ids)) => vec![ids.iter().map(|&id| surface_value(id)).collect()],
             Some(LayerRows::Depth(depths)) => vec![depths.clone()],
             Some(LayerRows::Normal(normals)) => split(normals),
-            Some(LayerRows::History(_)) => split(&self.colors(layer, rows)),
+            Some(LayerRows::History(_) | LayerRows::Certificates(_)) => split(&self.colors(layer, rows)),
             Some(LayerRows::State(states)) => vec![states.iter().map(|&s| state_grey(s)).collect()],
             None => vec![self.errors(rows)],
         }
@@ -69,6 +70,7 @@ fn rows_of(layer: PictureLayer, rows: &Rows) -> Option<&LayerRows> {
                 | (PictureLayer::Normal, LayerRows::Normal(_))
                 | (PictureLayer::History, LayerRows::History(_))
                 | (PictureLayer::State, LayerRows::State(_))
+                | (PictureLayer::Certificates, LayerRows::Certificates(_))
         )
     })
 }
@@ -102,6 +104,20 @@ fn state_grey(state: SampleState) -> f32 {
         SampleState::Shaded => 0.5,
         SampleState::Filled | SampleState::Pending => 0.0,
     }
+}
+
+/// Colours that the colour-blind tell apart (Okabe, Ito 2008).
+fn cause_color(cause: Option<Certificate>) -> [f32; 3] {
+    let codes = match cause {
+        None => [0, 0, 0],
+        Some(Certificate::Visibility) => [213, 94, 0],
+        Some(Certificate::Shadow) => [230, 159, 0],
+        Some(Certificate::Surface) => [204, 121, 167],
+        Some(Certificate::Checker) => [240, 228, 66],
+        Some(Certificate::Color) => [0, 158, 115],
+        Some(Certificate::Size) => [128, 128, 128],
+    };
+    codes.map(|code| Transfer::Srgb.decode(f64::from(code) / 255.0) as f32)
 }
 
 fn split(colors: &[[f32; 3]]) -> Vec<Vec<f32>> {

@@ -16,14 +16,23 @@ pub enum PictureLayer {
     History,
     /// How the pixel got its colour.
     State,
+    /// Why it was not filled.
+    Certificates,
     /// How far it is from full ray tracing.
     Error,
 }
 
 impl PictureLayer {
     /// All layers.
-    pub const ALL: [Self; 6] =
-        [Self::Surface, Self::Depth, Self::Normal, Self::History, Self::State, Self::Error];
+    pub const ALL: [Self; 7] = [
+        Self::Surface,
+        Self::Depth,
+        Self::Normal,
+        Self::History,
+        Self::State,
+        Self::Certificates,
+        Self::Error,
+    ];
 
     /// Its name in file names and on the command line.
     pub fn name(self) -> &'static str {
@@ -33,6 +42,7 @@ impl PictureLayer {
             Self::Normal => "normal",
             Self::History => "history",
             Self::State => "state",
+            Self::Certificates => "certificates",
             Self::Error => "error",
         }
     }
@@ -47,6 +57,10 @@ impl PictureLayer {
             Self::Normal => "shading normal n as 0.5 + 0.5 n",
             Self::History => "ray history, in false colours",
             Self::State => "white: traced, grey: shaded, black: filled",
+            Self::Certificates => {
+                "what `certified` could not prove: red visibility, orange shadow, purple surface, yellow checker, \
+                 green linear colour, grey too few samples; black: filled"
+            }
             Self::Error => "difference from full ray tracing: black 0, violet 1 level, then red to yellow",
         }
     }
@@ -64,6 +78,7 @@ impl PictureLayer {
             Self::Normal => Some(Layer::Normal),
             Self::History => Some(Layer::History),
             Self::State => Some(Layer::State),
+            Self::Certificates => Some(Layer::Certificates),
             Self::Error => None,
         }
     }
@@ -72,7 +87,7 @@ impl PictureLayer {
     pub(crate) fn transfer(self) -> Transfer {
         match self {
             Self::Depth | Self::Normal | Self::State => Transfer::Linear,
-            Self::Surface | Self::History | Self::Error => Transfer::Srgb,
+            Self::Surface | Self::History | Self::Certificates | Self::Error => Transfer::Srgb,
         }
     }
 
@@ -84,6 +99,7 @@ impl PictureLayer {
             Self::Normal => &["normal.X", "normal.Y", "normal.Z"],
             Self::History => &["history.R", "history.G", "history.B"],
             Self::State => &["state.Y"],
+            Self::Certificates => &["certificates.R", "certificates.G", "certificates.B"],
             Self::Error => &["error.Y"],
         }
     }

@@ -65,10 +65,10 @@ pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, w
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb};
 pub use brt_render::{
-    Accelerator, BorderSettings, CertifiedSettings, CheckedPixels, DeviationDelta, DifferenceDelta, Filter,
-    HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings, PixelSelectedSettings, Progress,
-    RayHistory, Regions, RenderError, Rows, Run, SampleState, Samples, Settings, Sink, SinkError, Stats,
-    VarianceDelta, prepare, render,
+    Accelerator, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
+    DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
+    PixelSelectedSettings, Progress, RayHistory, Regions, RenderError, Rows, Run, SampleState, Samples,
+    Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

@@ -33,7 +33,7 @@ impl Picture {
                     LayerRows::Surface(rows) => picture.surface.extend(rows),
                     LayerRows::History(rows) => picture.history.extend(rows),
                     LayerRows::State(rows) => picture.state.extend(rows),
-                    LayerRows::Depth(_) | LayerRows::Normal(_) => {}
+                    LayerRows::Depth(_) | LayerRows::Normal(_) | LayerRows::Certificates(_) => {}
                 }
             }
         }

@@ -15,6 +15,8 @@ pub(crate) struct TileWorker<'a> {
     pub(crate) perspective: PerspectiveImage,
     /// Are histories of filled samples wanted?
     pub(crate) wants_histories: bool,
+    /// Is it to be shown which certificates failed?
+    pub(crate) wants_causes: bool,
 }
 
 /// Where a first hit comes from.
@@ -27,6 +29,15 @@ pub(crate) enum First {
 }
 
 impl<'a> TileWorker<'a> {
+    /// Makes all samples of a tile pending.
+    pub(crate) fn reset(&mut self, tile: &Tile) {
+        self.samples.reset(tile);
+        if self.wants_causes {
+            self.samples.cause.clear();
+            self.samples.cause.resize(tile.sample_count(), None);
+        }
+    }
+
     pub(crate) fn new(job: &Job<'a>) -> Self {
         let Settings { history, layers, .. } = job.settings;
         Self {
@@ -35,6 +46,7 @@ impl<'a> TileWorker<'a> {
             samples: TileSamples::default(),
             perspective: PerspectiveImage::default(),
             wants_histories: layers.contains(&Layer::History),
+            wants_causes: layers.contains(&Layer::Certificates),
         }
     }
 
@@ -60,6 +72,17 @@ impl<'a> TileWorker<'a> {
         self.samples.color[index] = traced.color.to_f32();
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;
+    }
+
+    /// Traces a sample for nothing but its history. Its rays are not counted.
+    pub(super) fn note_history_of(&mut self, tile: &Tile, x: u32, y: u32) {
+        let index = tile.index(x, y);
+        let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+        let first = Sight::Met(self.perspective.primitive[index]);
+        let counted = self.tracer.take_counters();
+        self.samples.history[index] = self.tracer.trace(&ray, first, Unguided).history;
+        self.tracer.take_counters();
+        self.tracer.counters = counted;
     }
 
     /// Gives the filled samples of a block the history of the sample that they were filled from, if that is wanted.

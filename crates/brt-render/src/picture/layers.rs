@@ -6,7 +6,8 @@ use brt_geometry::{Start, Vec3};
 
 use crate::prepare::PreparedCamera;
 use crate::products::{
-    NOTHING, PerspectiveImage, PreparedScene, RayHistory, SampleGrid, SampleState, Tile, TileSamples,
+    Certificate, NOTHING, PerspectiveImage, PreparedScene, RayHistory, SampleGrid, SampleState, Tile,
+    TileSamples,
 };
 use crate::tracing::Interaction;
 
@@ -23,11 +24,14 @@ pub enum Layer {
     History,
     /// How the sample got its colour.
     State,
+    /// Why certified ray tracing did not fill the sample.
+    Certificates,
 }
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 5] = [Self::Surface, Self::Depth, Self::Normal, Self::History, Self::State];
+    pub const ALL: [Self; 6] =
+        [Self::Surface, Self::Depth, Self::Normal, Self::History, Self::State, Self::Certificates];
 
     /// Is it read from the perspective image?
     pub(crate) fn needs_perspective_image(self) -> bool {
@@ -48,6 +52,8 @@ pub enum LayerRows {
     History(Vec<RayHistory>),
     /// States: that of the pixel's most expensive sample.
     State(Vec<SampleState>),
+    /// The certificate that failed first; `None` where a sample is filled, and of other methods.
+    Certificates(Vec<Option<Certificate>>),
 }
 
 impl LayerRows {
@@ -59,6 +65,7 @@ impl LayerRows {
             Layer::Normal => Self::Normal(vec![[0.0; 3]; count]),
             Layer::History => Self::History(vec![RayHistory::default(); count]),
             Layer::State => Self::State(vec![SampleState::Pending; count]),
+            Layer::Certificates => Self::Certificates(vec![None; count]),
         }
     }
 
@@ -70,6 +77,7 @@ impl LayerRows {
             Self::Normal(v) => v.len(),
             Self::History(v) => v.len(),
             Self::State(v) => v.len(),
+            Self::Certificates(v) => v.len(),
         }
     }
 
@@ -85,6 +93,7 @@ impl LayerRows {
             Self::Normal(v) => Self::Normal(split(v, count)),
             Self::History(v) => Self::History(split(v, count)),
             Self::State(v) => Self::State(split(v, count)),
+            Self::Certificates(v) => Self::Certificates(split(v, count)),
         }
     }
 
@@ -99,6 +108,7 @@ impl LayerRows {
             (Self::Normal(a), Self::Normal(b)) => copy(a, to, b, start, count),
             (Self::History(a), Self::History(b)) => copy(a, to, b, start, count),
             (Self::State(a), Self::State(b)) => copy(a, to, b, start, count),
+            (Self::Certificates(a), Self::Certificates(b)) => copy(a, to, b, start, count),
             _ => debug_assert!(false, "rows of two different layers"),
         }
     }
@@ -127,6 +137,7 @@ pub(crate) fn tile_layer(layer: Layer, sources: &LayerSources) -> LayerRows {
         }
         Layer::History => LayerRows::History(middles.map(|i| sources.samples.history[i]).collect()),
         Layer::State => LayerRows::State(sources.states()),
+        Layer::Certificates => LayerRows::Certificates(middles.map(|i| sources.samples.cause[i]).collect()),
     }
 }
 

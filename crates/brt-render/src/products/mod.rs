@@ -2,6 +2,7 @@
 
 mod area;
 mod block;
+mod certificate;
 mod grid;
 mod history;
 mod perspective_image;
@@ -11,6 +12,7 @@ mod tile;
 
 pub(crate) use area::Area;
 pub(crate) use block::Block;
+pub use certificate::{Certificate, CertificateCounts, Tries};
 pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;

@@ -3,7 +3,7 @@
 use std::ops::AddAssign;
 use std::time::Instant;
 
-use super::SampleState;
+use super::{CertificateCounts, SampleState};
 
 /// Everything counted while a picture was rendered. Counts are the same for every number of threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Stats {
     pub nodes_visited: u64,
     /// Blocks by outcome.
     pub blocks: BlockCounts,
+    /// What certified ray tracing tried to prove.
+    pub certificates: CertificateCounts,
 }
 
 /// Times in seconds.
@@ -90,6 +92,7 @@ pub(crate) struct Counters {
     pub(crate) primitive_tests: u64,
     pub(crate) nodes_visited: u64,
     pub(crate) blocks: BlockCounts,
+    pub(crate) certificates: CertificateCounts,
     pub(crate) pixels: PixelCounts,
     pub(crate) seconds: Seconds,
 }
@@ -120,6 +123,7 @@ impl AddAssign for Counters {
         self.blocks.judged += o.blocks.judged;
         self.blocks.filled += o.blocks.filled;
         self.blocks.divided += o.blocks.divided;
+        self.certificates += o.certificates;
         self.pixels.total += o.pixels.total;
         self.pixels.traced += o.pixels.traced;
         self.pixels.shaded += o.pixels.shaded;
@@ -141,6 +145,7 @@ impl Stats {
             primitive_tests: counters.primitive_tests,
             nodes_visited: counters.nodes_visited,
             blocks: counters.blocks,
+            certificates: counters.certificates,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Tiles of the picture and the samples in them.
 
-use super::{RayHistory, SampleGrid};
+use super::{Certificate, RayHistory, SampleGrid};
 
 /// How a sample got its colour. Every sample is exactly one of these in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -57,6 +57,8 @@ pub(crate) struct TileSamples {
     /// Linear RGB.
     pub(crate) color: Vec<[f32; 3]>,
     pub(crate) state: Vec<SampleState>,
+    /// Which certificate failed, if one did. Empty unless that is shown as a layer.
+    pub(crate) cause: Vec<Option<Certificate>>,
     /// Means something where a sample is traced; where it is filled only if histories are shown as a layer.
     pub(crate) history: Vec<RayHistory>,
 }

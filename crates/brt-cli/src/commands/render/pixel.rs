@@ -86,18 +86,22 @@ fn value_at(layer: &LayerRows, index: usize) -> LayerRows {
         LayerRows::Normal(v) => LayerRows::Normal(vec![v[index]]),
         LayerRows::History(v) => LayerRows::History(vec![v[index]]),
         LayerRows::State(v) => LayerRows::State(vec![v[index]]),
+        LayerRows::Certificates(v) => LayerRows::Certificates(vec![v[index]]),
     }
 }
 
 fn describe(found: &Rows, scene: &Scene, transfer: Transfer) -> Vec<String> {
-    let layer = |layer: &LayerRows| match layer {
-        LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene)),
-        LayerRows::Depth(v) => format!("depth    {}", v[0]),
-        LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
-        LayerRows::History(v) => format!("history  {:016x}", v[0].0),
-        LayerRows::State(v) => format!("state    {}", state(v[0])),
+    let layer = |layer: &LayerRows| {
+        Some(match layer {
+            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene)),
+            LayerRows::Depth(v) => format!("depth    {}", v[0]),
+            LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
+            LayerRows::History(v) => format!("history  {:016x}", v[0].0),
+            LayerRows::State(v) => format!("state    {}", state(v[0])),
+            LayerRows::Certificates(v) => format!("failed   {}", v[0]?.name()),
+        })
     };
-    let mut lines: Vec<String> = found.layers.iter().map(layer).collect();
+    let mut lines: Vec<String> = found.layers.iter().filter_map(layer).collect();
     lines.push(format!("color    {}", color(found.colors[0], transfer)));
     if let Some(full) = &found.full {
         lines.push(format!("full     {}", color(full[0], transfer)));

@@ -1,6 +1,8 @@
 //! The file of `--stats`. Its keys are a promise.
 
-use brt::{Rendered, Settings, Stats};
+use std::collections::BTreeMap;
+
+use brt::{Certificate, CertificateCounts, Rendered, Settings, Stats, Tries};
 use serde::Serialize;
 
 use crate::commands::text_file::TextFile;
@@ -43,6 +45,8 @@ struct StatsJson<'a> {
     primitive_tests: u64,
     nodes_visited: u64,
     blocks: Blocks,
+    /// By name; empty unless the method is `certified`.
+    certificates: BTreeMap<&'static str, TriesJson>,
 }
 
 /// Counts of samples where there are several in a pixel.
@@ -63,10 +67,25 @@ struct Rays {
 }
 
 #[derive(Debug, Serialize)]
+struct TriesJson {
+    tried: u64,
+    proven: u64,
+    failed: u64,
+}
+
+#[derive(Debug, Serialize)]
 struct Blocks {
     judged: u64,
     filled: u64,
     divided: u64,
+}
+
+fn tries(counts: &CertificateCounts) -> BTreeMap<&'static str, TriesJson> {
+    let json = |certificate| {
+        let Tries { proven, failed } = counts[certificate];
+        (certificate.name(), TriesJson { tried: proven + failed, proven, failed })
+    };
+    Certificate::ALL.map(json).into_iter().filter(|(_, tries)| tries.tried > 0).collect()
 }
 
 /// Writes the file.
@@ -77,7 +96,7 @@ pub(super) fn write(
     rendered: &Rendered,
     seconds: &Seconds,
 ) -> Result<(), Failure> {
-    let Stats { pixels, rays, primitive_tests, nodes_visited, blocks, .. } = rendered.stats;
+    let Stats { pixels, rays, primitive_tests, nodes_visited, blocks, certificates, .. } = rendered.stats;
     let json = StatsJson {
         method: settings.method.name(),
         width: settings.size[0],
@@ -100,6 +119,7 @@ pub(super) fn write(
         primitive_tests,
         nodes_visited,
         blocks: Blocks { judged: blocks.judged, filled: blocks.filled, divided: blocks.divided },
+        certificates: tries(&certificates),
     };
     file.write(&(json::text(&json)? + "\n"))
 }

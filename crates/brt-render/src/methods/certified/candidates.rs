@@ -41,17 +41,30 @@ impl Lists {
         self.items.extend(items);
         List { first: first as u32, count: (self.items.len() - first) as u32 }
     }
+}
 
-    /// Collects into `found` what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether
-    /// that is everything there is.
-    pub(super) fn collect(
-        &self,
-        scene: &PreparedScene,
-        shaft: &Shaft,
-        from: Option<List>,
-        passes: impl Fn(u32) -> bool,
-        found: &mut Vec<u32>,
-    ) -> bool {
+/// What the rays of a block may meet.
+pub(super) struct Candidates<'a> {
+    pub(super) scene: &'a PreparedScene,
+    pub(super) lists: Lists,
+    /// Those of the shaft that was looked into last.
+    pub(super) found: Vec<u32>,
+}
+
+impl<'a> Candidates<'a> {
+    pub(super) fn new(scene: &'a PreparedScene) -> Self {
+        Self { scene, lists: Lists::default(), found: Vec::new() }
+    }
+
+    /// Keeps those found as a list.
+    pub(super) fn keep_found(&mut self) -> List {
+        self.lists.keep(self.found.drain(..))
+    }
+
+    /// Finds what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether that is everything
+    /// there is.
+    pub(super) fn find(&mut self, shaft: &Shaft, from: Option<List>, passes: impl Fn(u32) -> bool) -> bool {
+        let Self { scene, lists, found } = self;
         found.clear();
         let mut visit = |id: u32| {
             if passes(id) && !shaft.misses(&scene.primitives[id as usize]) {
@@ -60,7 +73,7 @@ impl Lists {
             found.len() <= MOST_LISTED
         };
         if let Some(list) = from {
-            return self.get(list).iter().all(|&id| visit(id));
+            return lists.get(list).iter().all(|&id| visit(id));
         }
         scene.outside.iter().all(|&id| visit(id))
             && match &scene.index {

@@ -1,42 +1,43 @@
 //! Following a block along its mirror rays.
 
-use brt_geometry::{Real, Taylor};
+use brt_geometry::{Ray, Real, Taylor};
 use brt_image::Rgb;
 
-use super::candidates::Lists;
+use super::candidates::Candidates;
 use super::certificates::{cell_color, first_seen, lighting};
-use super::known_history::{KnownHistory, KnownLighting, KnownSight, MOST_LEVELS};
+use super::known_history::{KnownHistory, KnownLighting, KnownSight, Level, MOST_LEVELS};
 use crate::prepare::PreparedCamera;
-use crate::products::{Area, NOTHING, PreparedScene};
+use crate::products::{Area, Certificate, CertificateCounts, NOTHING, PreparedScene};
 use crate::tracing::{FROM_NOWHERE, Patch, constant, start};
 
 /// What became of a block.
 pub(super) enum Outcome {
-    /// Its history is not proven.
-    Open,
-    /// Its history is proven; the colour where it could be bounded.
+    /// Its history is not proven; this failed.
+    Open(Certificate),
+    /// Its history is proven; the colour, where all body colours are.
     Proven(Option<Rgb<Taylor>>),
 }
 
-/// Follows blocks; keeps their lists.
+/// Follows blocks; keeps what they may meet.
 pub(super) struct Follower<'a> {
     pub(super) scene: &'a PreparedScene,
-    pub(super) lists: Lists,
+    pub(super) candidates: Candidates<'a>,
+    pub(super) counts: CertificateCounts,
     camera: &'a PreparedCamera,
     max_depth: u32,
-    /// Working memory.
-    found: Vec<u32>,
 }
 
-/// The colours of a block's levels without what mirrors add.
-struct Locals {
+/// A block on its way: colours of its levels without what mirrors add, and what was not proven.
+struct Way {
     colors: [Option<(Rgb<Taylor>, f64)>; MOST_LEVELS],
     is_bounded: bool,
+    failed: Option<Certificate>,
 }
 
 impl<'a> Follower<'a> {
     pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, max_depth: u32) -> Self {
-        Self { scene, lists: Lists::default(), camera, max_depth, found: Vec::new() }
+        let candidates = Candidates::new(scene);
+        Self { scene, candidates, counts: CertificateCounts::default(), camera, max_depth }
     }
 
     /// Proves what can be proven of a block, given what is known already.
@@ -44,60 +45,81 @@ impl<'a> Follower<'a> {
         let [x, y] = area.coordinates();
         let mut ray = self.camera.ray(x, y);
         let mut from = FROM_NOWHERE;
-        let mut locals = Locals { colors: [None; MOST_LEVELS], is_bounded: true };
-        let mut is_proven = true;
-        for depth in 0..MOST_LEVELS {
-            let level = &mut history.levels[depth];
-            level.sight = match level.sight {
-                KnownSight::Met(primitive) => KnownSight::Met(primitive),
-                known => first_seen(self.scene, &mut self.lists, &mut self.found, &ray, from, known),
+        let mut way = Way { colors: [None; MOST_LEVELS], is_bounded: true, failed: None };
+        for (depth, level) in history.levels.iter_mut().enumerate() {
+            let Some(primitive) = self.met(level, &ray, from) else {
+                return Outcome::Open(way.failed.unwrap_or(Certificate::Visibility));
             };
-            let KnownSight::Met(primitive) = level.sight else { return Outcome::Open };
             if primitive == NOTHING {
-                return locals.ended(depth, constant(self.scene.background), is_proven);
+                return way.ended(depth, constant(self.scene.background));
             }
-            let hit = self.scene.primitives[primitive as usize].first_hit(&ray, start(primitive, from));
-            let Some(patch) = Patch::at(self.scene, &ray, primitive, hit.t) else { return Outcome::Open };
-            let body = cell_color(patch.material, &patch.point);
-            locals.is_bounded &= body.is_some();
-            let body = body.unwrap_or(patch.material.color);
-            let mut color = patch.ambient(body);
-            for (index, light) in self.scene.lights.iter().enumerate() {
-                let Some(known) = level.lights.get_mut(index) else {
-                    is_proven = false;
-                    break;
-                };
-                let ways = patch.ways_to(light);
-                *known = lighting(self.scene, &mut self.lists, &mut self.found, &patch, light, &ways, *known);
-                match known {
-                    KnownLighting::Hidden => {}
-                    // The colour is only asked for where everything is proven.
-                    KnownLighting::Seen if is_proven && locals.is_bounded => {
-                        color = color + patch.reflected(body, &ways);
-                    }
-                    KnownLighting::Seen => {}
-                    _ => is_proven = false,
-                }
-            }
-            if patch.material.transmission > 0.0 {
-                return Outcome::Open;
-            }
+            let Some(patch) = self.patch(&ray, primitive, from) else {
+                return Outcome::Open(way.failed.unwrap_or(Certificate::Surface));
+            };
+            let color = self.local_color(level, &patch, &mut way);
             if patch.material.reflection == 0.0 || depth as u32 >= self.max_depth {
-                return locals.ended(depth, color, is_proven);
+                return way.ended(depth, color);
             }
-            locals.colors[depth] = Some((color, patch.material.reflection));
+            way.colors[depth] = Some((color, patch.material.reflection));
             ray = patch.mirror_ray(&ray);
             from = primitive;
         }
-        Outcome::Open
+        Outcome::Open(way.failed.unwrap_or(Certificate::Size))
+    }
+
+    /// What all rays meet.
+    fn met(&mut self, level: &mut Level, ray: &Ray<Taylor>, from: u32) -> Option<u32> {
+        if let KnownSight::Met(primitive) = level.sight {
+            return Some(primitive);
+        }
+        level.sight = first_seen(&mut self.candidates, ray, from, level.sight);
+        let met = if let KnownSight::Met(primitive) = level.sight { Some(primitive) } else { None };
+        self.counts.note(Certificate::Visibility, met.is_some());
+        met
+    }
+
+    /// The points where all rays meet a primitive.
+    fn patch(&mut self, ray: &Ray<Taylor>, primitive: u32, from: u32) -> Option<Patch<'a>> {
+        let hit = self.scene.primitives[primitive as usize].first_hit(ray, start(primitive, from));
+        let patch = Patch::at(self.scene, ray, primitive, hit.t);
+        let patch = patch.filter(|patch| patch.material.transmission == 0.0);
+        self.counts.note(Certificate::Surface, patch.is_some());
+        patch
+    }
+
+    /// The colour of a level without what mirrors add; it only means something while all is proven.
+    fn local_color(&mut self, level: &mut Level, patch: &Patch, way: &mut Way) -> Rgb<Taylor> {
+        let body = cell_color(patch.material, &patch.point);
+        if patch.material.checker.is_some() {
+            way.is_bounded &= self.counts.note(Certificate::Checker, body.is_some());
+        }
+        let body = body.unwrap_or(patch.material.color);
+        let mut color = patch.ambient(body);
+        for (index, light) in self.scene.lights.iter().enumerate() {
+            let Some(known) = level.lights.get_mut(index) else {
+                way.failed = way.failed.or(Some(Certificate::Size));
+                break;
+            };
+            let ways = patch.ways_to(light);
+            if !known.is_settled() {
+                *known = lighting(&mut self.candidates, patch, light, &ways, *known);
+                if !self.counts.note(Certificate::Shadow, known.is_settled()) {
+                    way.failed = way.failed.or(Some(Certificate::Shadow));
+                }
+            }
+            if matches!(known, KnownLighting::Seen) && way.failed.is_none() && way.is_bounded {
+                color = color + patch.reflected(body, &ways);
+            }
+        }
+        color
     }
 }
 
-impl Locals {
+impl Way {
     /// The colour of the whole, given that of the last level.
-    fn ended(&self, depth: usize, last: Rgb<Taylor>, is_proven: bool) -> Outcome {
-        if !is_proven {
-            return Outcome::Open;
+    fn ended(&self, depth: usize, last: Rgb<Taylor>) -> Outcome {
+        if let Some(certificate) = self.failed {
+            return Outcome::Open(certificate);
         }
         if !self.is_bounded {
             return Outcome::Proven(None);

@@ -24,6 +24,13 @@ pub(super) enum KnownLighting {
     Hidden,
 }
 
+impl KnownLighting {
+    /// Is it the same for all points?
+    pub(super) fn is_settled(self) -> bool {
+        matches!(self, Self::Seen | Self::Hidden)
+    }
+}
+
 /// One level of a history.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Level {

@@ -21,7 +21,7 @@ use self::follow::{Follower, Outcome};
 use self::known_history::KnownHistory;
 use self::regions::{Region, regions_of};
 use super::worker::TileWorker;
-use crate::products::{Area, NOTHING, PreparedScene, Seconds, StageClock, Tile};
+use crate::products::{Area, Certificate, NOTHING, PreparedScene, Seconds, StageClock, Tile};
 
 /// Settings of certified ray tracing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,6 +66,8 @@ pub(crate) fn render_certified(
         method.settle_group(area, group);
     }
     method.lap(|seconds| &mut seconds.select);
+    let counts = method.follower.counts;
+    worker.tracer.counters.certificates += counts;
 }
 
 /// One tile at work.
@@ -106,33 +108,35 @@ impl Certified<'_, '_> {
             parts => parts,
         };
         if matches!(parts, Parts::Regions(few) if few.iter().map(|r| r.samples).sum::<u32>() < LEAST_PROVEN) {
-            return self.trace(area, parts, inherited);
+            return self.trace(area, parts, inherited, Certificate::Size);
         }
-        let mark = self.follower.lists.mark();
+        let mark = self.follower.candidates.lists.mark();
         let mut history = *inherited;
         let counts = &mut self.worker.tracer.counters.blocks;
         counts.judged += 1;
         match self.follower.follow(area, &mut history) {
-            Outcome::Open if area.is_within(LEAF) => self.trace(area, parts, &history),
-            Outcome::Open => self.divide(area, parts, &history),
-            Outcome::Proven(None) if area.is_within(LEAF) => self.shade(area, parts, &history),
+            Outcome::Open(failed) if area.is_within(LEAF) => self.trace(area, parts, &history, failed),
+            Outcome::Open(_) => self.divide(area, parts, &history),
+            Outcome::Proven(None) if area.is_within(LEAF) => {
+                self.shade(area, parts, &history, Certificate::Checker);
+            }
             Outcome::Proven(None) => self.divide(area, parts, &history),
             Outcome::Proven(Some(color)) => self.color(area, parts, &history, &color),
         }
-        self.follower.lists.release(mark);
+        self.follower.candidates.lists.release(mark);
     }
 
     /// The history is proven and the colour bounded.
     fn color(&mut self, area: Area, parts: Parts, history: &KnownHistory, color: &Rgb<Taylor>) {
         let excess = self.tolerance.excess(color);
-        if excess <= 1.0 {
+        if self.follower.counts.note(Certificate::Color, excess <= 1.0) {
             self.worker.tracer.counters.blocks.filled += 1;
             return self.fill(area, parts, history.first(), color);
         }
         // The remainder grows with the square of the side.
         let side = f64::from((area.x1 - area.x0).max(area.y1 - area.y0));
         if side < LEAST_EVEN * excess.sqrt() || area.is_within(2) {
-            self.shade(area, parts, history);
+            self.shade(area, parts, history, Certificate::Color);
         } else {
             self.divide(area, parts, history);
         }

@@ -6,40 +6,46 @@ use brt_image::Rgb;
 use super::known_history::KnownHistory;
 use super::regions::Region;
 use super::{Certified, Parts};
-use crate::products::{Area, SampleState};
+use crate::products::{Area, Certificate, SampleState};
+
+/// The state of samples that are not filled, and why they are not.
+type Reason = (SampleState, Certificate);
 
 impl Certified<'_, '_> {
-    /// Traces samples, guided by what is proven.
-    pub(super) fn trace(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
-        self.trace_as(area, parts, history, SampleState::Traced);
+    /// Traces samples, guided by what is proven, as something could not be.
+    pub(super) fn trace(&mut self, area: Area, parts: Parts, history: &KnownHistory, failed: Certificate) {
+        self.trace_as(area, parts, history, (SampleState::Traced, failed));
     }
 
     /// Shades samples whose history is proven.
-    pub(super) fn shade(&mut self, area: Area, parts: Parts, history: &KnownHistory) {
-        self.trace_as(area, parts, history, SampleState::Shaded);
+    pub(super) fn shade(&mut self, area: Area, parts: Parts, history: &KnownHistory, failed: Certificate) {
+        self.trace_as(area, parts, history, (SampleState::Shaded, failed));
     }
 
-    fn trace_as(&mut self, area: Area, parts: Parts, history: &KnownHistory, state: SampleState) {
+    fn trace_as(&mut self, area: Area, parts: Parts, history: &KnownHistory, reason: Reason) {
         self.lap(|seconds| &mut seconds.select);
         let mut batch = Batch::default();
         self.for_each_sample(area, parts, history.first(), |this, x, y| {
             batch.add(x, y);
             if batch.count == LANES {
-                this.trace_batch(&batch, history, state);
+                this.trace_batch(&batch, history, reason);
                 batch.count = 0;
             }
         });
         if batch.count > 0 {
-            self.trace_batch(&batch, history, state);
+            self.trace_batch(&batch, history, reason);
         }
         self.lap(|seconds| &mut seconds.trace);
     }
 
     /// Traces up to eight samples in lanes.
-    fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, state: SampleState) {
-        let guide = history.guide(&self.follower.lists);
+    fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, (state, failed): Reason) {
+        let guide = history.guide(&self.follower.candidates.lists);
         let worker = &mut *self.worker;
         let (first, tile) = (history.first(), self.tile);
+        if worker.wants_histories {
+            (0..batch.count).for_each(|i| worker.note_history_of(tile, batch.x[i], batch.y[i]));
+        }
         let color = SimdLevel::default().run(
             #[inline(always)]
             || {
@@ -53,6 +59,9 @@ impl Certified<'_, '_> {
             let index = tile.index(batch.x[i], batch.y[i]);
             worker.samples.color[index] = [color.r.0[i] as f32, color.g.0[i] as f32, color.b.0[i] as f32];
             worker.samples.state[index] = state;
+            if let Some(cause) = worker.samples.cause.get_mut(index) {
+                *cause = Some(failed);
+            }
         }
     }
 
@@ -85,9 +94,28 @@ impl Certified<'_, '_> {
         }
     }
 
+    /// Finds the history of samples that are filled, if that is wanted: one is traced for all.
+    fn note_histories(&mut self, area: Area, parts: Parts, primitive: u32) {
+        if !self.worker.wants_histories {
+            return;
+        }
+        let mut known = None;
+        self.for_each_sample(area, parts, primitive, |this, x, y| {
+            let index = this.tile.index(x, y);
+            match known {
+                Some(history) => this.worker.samples.history[index] = history,
+                None => {
+                    this.worker.note_history_of(this.tile, x, y);
+                    known = Some(this.worker.samples.history[index]);
+                }
+            }
+        });
+    }
+
     /// Fills samples with a colour that is linear over the area.
     pub(super) fn fill(&mut self, area: Area, parts: Parts, primitive: u32, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
+        self.note_histories(area, parts, primitive);
         let fill = LinearFill::new(area, color);
         self.for_each_area(area, parts, |this, part, is_whole| {
             for y in part.y0..part.y1 {

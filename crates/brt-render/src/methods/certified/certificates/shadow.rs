@@ -7,21 +7,20 @@
 use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
 
 use super::MOST_CLASSIFIED;
-use crate::methods::certified::candidates::Lists;
+use crate::methods::certified::candidates::Candidates;
 use crate::methods::certified::known_history::KnownLighting;
-use crate::products::{PreparedLight, PreparedScene};
+use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
 
 /// How the points of a patch see a light, given what is known of it.
 pub(in crate::methods::certified) fn lighting(
-    scene: &PreparedScene,
-    lists: &mut Lists,
-    found: &mut Vec<u32>,
+    candidates: &mut Candidates,
     patch: &Patch,
     light: &PreparedLight,
     ways: &LightWays,
     known: KnownLighting,
 ) -> KnownLighting {
+    let scene = candidates.scene;
     let inherited = match known {
         KnownLighting::Seen | KnownLighting::Hidden => return known,
         KnownLighting::Among(list) => Some(list),
@@ -36,18 +35,15 @@ pub(in crate::methods::certified) fn lighting(
         let is_itself = id == patch.primitive && primitive.is_flat();
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
-    if !lists.collect(scene, &shaft, inherited, may_hide, found) {
+    if !candidates.find(&shaft, inherited, may_hide) {
         return known;
     }
-    if found.is_empty() {
-        return KnownLighting::Seen;
-    }
-    if found.len() > MOST_CLASSIFIED {
-        return KnownLighting::Among(lists.keep(found.drain(..)));
+    if candidates.found.len() > MOST_CLASSIFIED {
+        return KnownLighting::Among(candidates.keep_found());
     }
     let block = RayBlock::new(Ray::new(patch.point, ways.towards));
     let mut is_hidden = false;
-    found.retain(|&id| {
+    candidates.found.retain(|&id| {
         let hit = block.first_hit(&scene.primitives[id as usize], start(id, patch.primitive));
         // An infinite limit is met by every hit; comparing with it would say nothing.
         let before = match ways.t_max {
@@ -60,7 +56,10 @@ pub(in crate::methods::certified) fn lighting(
     if is_hidden {
         return KnownLighting::Hidden;
     }
-    if found.is_empty() { KnownLighting::Seen } else { KnownLighting::Among(lists.keep(found.drain(..))) }
+    match candidates.found.is_empty() {
+        true => KnownLighting::Seen,
+        false => KnownLighting::Among(candidates.keep_found()),
+    }
 }
 
 /// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.

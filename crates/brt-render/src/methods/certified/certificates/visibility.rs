@@ -7,20 +7,19 @@
 use brt_geometry::{Hit, Mask, Ray, RayBlock, Real, Shaft, Taylor};
 
 use super::MOST_CLASSIFIED;
-use crate::methods::certified::candidates::Lists;
+use crate::methods::certified::candidates::Candidates;
 use crate::methods::certified::known_history::KnownSight;
-use crate::products::{NOTHING, PreparedScene};
+use crate::products::NOTHING;
 use crate::tracing::start;
 
 /// What rays that leave `from` meet first, given what is known of it.
 pub(in crate::methods::certified) fn first_seen(
-    scene: &PreparedScene,
-    lists: &mut Lists,
-    found: &mut Vec<u32>,
+    candidates: &mut Candidates,
     ray: &Ray<Taylor>,
     from: u32,
     known: KnownSight,
 ) -> KnownSight {
+    let scene = candidates.scene;
     let inherited = match known {
         KnownSight::Met(_) => return known,
         KnownSight::Among(list) => Some(list),
@@ -28,14 +27,17 @@ pub(in crate::methods::certified) fn first_seen(
     };
     let Some(shaft) = Shaft::around(&ray.origin, &ray.direction, f64::INFINITY) else { return known };
     let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
-    if !lists.collect(scene, &shaft, inherited, |id| !cannot_be_left(id), found) {
+    if !candidates.find(&shaft, inherited, |id| !cannot_be_left(id)) {
         return known;
     }
-    if found.len() > MOST_CLASSIFIED {
-        return KnownSight::Among(lists.keep(found.drain(..)));
+    if candidates.found.len() > MOST_CLASSIFIED {
+        return KnownSight::Among(candidates.keep_found());
     }
     let block = RayBlock::new(*ray);
-    let hits = found.iter().map(|&id| (id, block.first_hit(&scene.primitives[id as usize], start(id, from))));
+    let hits = candidates
+        .found
+        .iter()
+        .map(|&id| (id, block.first_hit(&scene.primitives[id as usize], start(id, from))));
     let mut hits: Vec<(u32, Hit<Taylor>)> = hits.filter(|(_, hit)| hit.found.any()).collect();
     if hits.is_empty() {
         return KnownSight::Met(NOTHING);
@@ -49,5 +51,5 @@ pub(in crate::methods::certified) fn first_seen(
             return KnownSight::Met(front);
         }
     }
-    KnownSight::Among(lists.keep(hits.iter().map(|(id, _)| *id)))
+    KnownSight::Among(candidates.lists.keep(hits.iter().map(|(id, _)| *id)))
 }
