@@ -1,12 +1,14 @@
 //! The rays of a block, and what is known of where they meet a primitive.
 
-use crate::{Hit, Mask, Plane, Primitive, Ray, Real, Start, Taylor, Trilean, Vec3};
+use crate::{Hit, Mask, Plane, Primitive, Ray, Real, Sphere, Start, Taylor, Trilean, Vec3, vec3};
 
-/// All rays of a block as one model, with what edges of flat primitives are judged by.
+/// All rays of a block as one model, with their moment `o × d` (Plücker coordinates), by which edges and spheres are
+/// judged.
 ///
 /// On which side of the edge a–b a ray passes is `d · ((a − o) × (b − o))`, the same as
-/// `d · (a × b) + (o × d) · (b − a)`: with the moment `o × d` computed once, an edge costs two products with constant
-/// vectors. As this is not the expression that single rays compute, a margin for the rounding of both is added.
+/// `d · (a × b) + (o × d) · (b − a)`: an edge costs two products with constant vectors. How far a ray passes from a
+/// sphere's centre is the length of its moment around it over that of `d`: nothing large cancels. As these are not the
+/// expressions that single rays compute, a margin for the rounding of both is added.
 #[derive(Clone, Copy, Debug)]
 pub struct RayBlock {
     /// The rays.
@@ -20,16 +22,28 @@ pub struct RayBlock {
     origin_size: f64,
 }
 
-/// Roundings of an edge function by single rays, and of the vectors that stand for it here.
-const EDGE_ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+/// Roundings of an edge function or a discriminant by single rays, and of what stands for it here.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
 impl RayBlock {
     /// The block of these rays.
     pub fn new(ray: Ray<Taylor>) -> Self {
+        let center = vec3(ray.origin.x.c, ray.origin.y.c, ray.origin.z.c);
+        let from_center = ray.origin - center.lift();
+        Self::around(ray, center, from_center.cross(ray.direction))
+    }
+
+    /// The block of rays to a point: their directions are the differences between it and their origins.
+    pub fn to_point(ray: Ray<Taylor>, point: Vec3) -> Self {
+        // But for the rounding of differences there is no moment around the point.
+        let size = sizes(&ray.direction).into_iter().fold(0.0, f64::max);
+        let rounding = Taylor { c: 0.0, u: 0.0, v: 0.0, e: 4.0 * f64::EPSILON * size * size };
+        Self::around(ray, point, vec3(rounding, rounding, rounding))
+    }
+
+    fn around(ray: Ray<Taylor>, center: Vec3, moment: Vec3<Taylor>) -> Self {
         let Ray { origin, direction, .. } = ray;
-        let center = Vec3 { x: origin.x.c, y: origin.y.c, z: origin.z.c };
         let from_center = origin - center.lift();
-        let moment = from_center.cross(direction);
         let sum = |[x, y, z]: [f64; 3]| x + y + z;
         Self {
             ray,
@@ -44,10 +58,53 @@ impl RayBlock {
     /// The nearest hit ahead; encloses what [`Primitive::first_hit`] says for each of the rays.
     #[inline]
     pub fn first_hit(&self, primitive: &Primitive, start: Start) -> Hit<Taylor> {
-        match primitive.flat() {
-            Some((plane, corners)) if !corners.is_empty() => self.flat_hit(plane, corners, start),
+        match (primitive, primitive.flat()) {
+            (_, Some((plane, corners))) if !corners.is_empty() => self.flat_hit(plane, corners, start),
+            (Primitive::Sphere(sphere), _) if start == Start::Elsewhere => self.sphere_hit(sphere),
             _ => primitive.first_hit(&self.ray, start),
         }
+    }
+
+    /// The distance of the nearest hit where all rays are known to hit.
+    #[inline]
+    pub fn distance(&self, primitive: &Primitive, start: Start) -> Taylor {
+        match primitive.plane() {
+            Some(plane) => plane.first_hit(&self.ray, start).t,
+            None => self.first_hit(primitive, start).t,
+        }
+    }
+
+    fn sphere_hit(&self, sphere: &Sphere) -> Hit<Taylor> {
+        let Ray { origin, direction: d, dd, inv_dd } = self.ray;
+        let offset = self.center - sphere.center;
+        let across =
+            |ay: f64, az: f64, dy: Taylor, dz: Taylor| dz * Taylor::constant(ay) - dy * Taylor::constant(az);
+        let moment = self.moment
+            + vec3(
+                across(offset.y, offset.z, d.y, d.z),
+                across(offset.z, offset.x, d.z, d.x),
+                across(offset.x, offset.y, d.x, d.y),
+            );
+        let radius_squared = sphere.radius * sphere.radius;
+        let mut discriminant = dd * Taylor::constant(radius_squared) - moment.length_squared();
+        let reach = offset.length_squared() + 3.0 * self.origin_size * self.origin_size + radius_squared;
+        discriminant.e += 4.0 * ROUNDINGS * self.direction_size * self.direction_size * reach;
+        let zero = Taylor::constant(0.0);
+        let meets = discriminant.ge(zero);
+        if !meets.any() {
+            return Hit::none();
+        }
+        let from_center = origin - sphere.center.lift();
+        let b = from_center.dot(d);
+        let c = from_center.length_squared() - Taylor::constant(radius_squared);
+        let meets = meets & (c.le(zero) | b.lt(zero));
+        if !meets.any() {
+            return Hit::none();
+        }
+        let root = discriminant.max(zero).sqrt();
+        let near = -b - root;
+        let t = Taylor::select(near.gt(zero), near, root - b) * inv_dd;
+        Hit::at(t, meets)
     }
 
     fn flat_hit(&self, plane: &Plane, corners: &[Vec3], start: Start) -> Hit<Taylor> {
@@ -84,7 +141,7 @@ impl RayBlock {
         let (a, b) = (greatest(a), greatest(b));
         let terms = self.direction_size * (a + self.origin_size) * (b + self.origin_size)
             + self.moment_size * (a + b);
-        Taylor { e: side.e + EDGE_ROUNDINGS * terms, ..side }
+        Taylor { e: side.e + ROUNDINGS * terms, ..side }
     }
 }
 

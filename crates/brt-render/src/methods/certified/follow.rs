@@ -1,6 +1,6 @@
 //! Following a block along its mirror rays.
 
-use brt_geometry::{Ray, Real, Taylor};
+use brt_geometry::{RayBlock, Real, Taylor};
 use brt_image::Rgb;
 
 use super::candidates::Candidates;
@@ -43,17 +43,17 @@ impl<'a> Follower<'a> {
     /// Proves what can be proven of a block, given what is known already.
     pub(super) fn follow(&mut self, area: Area, history: &mut KnownHistory) -> Outcome {
         let [x, y] = area.coordinates();
-        let mut ray = self.camera.ray(x, y);
+        let mut block = RayBlock::new(self.camera.ray(x, y));
         let mut from = FROM_NOWHERE;
         let mut way = Way { colors: [None; MOST_LEVELS], is_bounded: true, failed: None };
         for (depth, level) in history.levels.iter_mut().enumerate() {
-            let Some(primitive) = self.met(level, &ray, from) else {
+            let Some(primitive) = self.met(level, &block, from) else {
                 return Outcome::Open(way.failed.unwrap_or(Certificate::Visibility));
             };
             if primitive == NOTHING {
                 return way.ended(depth, constant(self.scene.background));
             }
-            let Some(patch) = self.patch(&ray, primitive, from) else {
+            let Some(patch) = self.patch(&block, primitive, from) else {
                 return Outcome::Open(way.failed.unwrap_or(Certificate::Surface));
             };
             let color = self.local_color(level, &patch, &mut way);
@@ -61,27 +61,27 @@ impl<'a> Follower<'a> {
                 return way.ended(depth, color);
             }
             way.colors[depth] = Some((color, patch.material.reflection));
-            ray = patch.mirror_ray(&ray);
+            block = RayBlock::new(patch.mirror_ray(&block.ray));
             from = primitive;
         }
         Outcome::Open(way.failed.unwrap_or(Certificate::Size))
     }
 
     /// What all rays meet.
-    fn met(&mut self, level: &mut Level, ray: &Ray<Taylor>, from: u32) -> Option<u32> {
+    fn met(&mut self, level: &mut Level, block: &RayBlock, from: u32) -> Option<u32> {
         if let KnownSight::Met(primitive) = level.sight {
             return Some(primitive);
         }
-        level.sight = first_seen(&mut self.candidates, ray, from, level.sight);
+        level.sight = first_seen(&mut self.candidates, block, from, level.sight);
         let met = if let KnownSight::Met(primitive) = level.sight { Some(primitive) } else { None };
         self.counts.note(Certificate::Visibility, met.is_some());
         met
     }
 
     /// The points where all rays meet a primitive.
-    fn patch(&mut self, ray: &Ray<Taylor>, primitive: u32, from: u32) -> Option<Patch<'a>> {
-        let hit = self.scene.primitives[primitive as usize].first_hit(ray, start(primitive, from));
-        let patch = Patch::at(self.scene, ray, primitive, hit.t);
+    fn patch(&mut self, block: &RayBlock, primitive: u32, from: u32) -> Option<Patch<'a>> {
+        let t = block.distance(&self.scene.primitives[primitive as usize], start(primitive, from));
+        let patch = Patch::at(self.scene, &block.ray, primitive, t);
         let patch = patch.filter(|patch| patch.material.transmission == 0.0);
         self.counts.note(Certificate::Surface, patch.is_some());
         patch

@@ -41,7 +41,11 @@ pub(in crate::methods::certified) fn lighting(
     if candidates.found.len() > MOST_CLASSIFIED {
         return KnownLighting::Among(candidates.keep_found());
     }
-    let block = RayBlock::new(Ray::new(patch.point, ways.towards));
+    let ray = Ray::new(patch.point, ways.towards);
+    let block = match light {
+        PreparedLight::Point { position, .. } => RayBlock::to_point(ray, *position),
+        PreparedLight::Directional { .. } => RayBlock::new(ray),
+    };
     let mut is_hidden = false;
     candidates.found.retain(|&id| {
         let hit = block.first_hit(&scene.primitives[id as usize], start(id, patch.primitive));

@@ -4,7 +4,7 @@
 //! all rays certainly meet before any other possible hit is the first one, for the predicates enclose what tracing any
 //! of the rays computes.
 
-use brt_geometry::{Hit, Mask, Ray, RayBlock, Real, Shaft, Taylor};
+use brt_geometry::{Hit, Mask, RayBlock, Real, Shaft, Taylor};
 
 use super::MOST_CLASSIFIED;
 use crate::methods::certified::candidates::Candidates;
@@ -15,7 +15,7 @@ use crate::tracing::start;
 /// What rays that leave `from` meet first, given what is known of it.
 pub(in crate::methods::certified) fn first_seen(
     candidates: &mut Candidates,
-    ray: &Ray<Taylor>,
+    block: &RayBlock,
     from: u32,
     known: KnownSight,
 ) -> KnownSight {
@@ -25,7 +25,9 @@ pub(in crate::methods::certified) fn first_seen(
         KnownSight::Among(list) => Some(list),
         KnownSight::Unknown => None,
     };
-    let Some(shaft) = Shaft::around(&ray.origin, &ray.direction, f64::INFINITY) else { return known };
+    let Some(shaft) = Shaft::around(&block.ray.origin, &block.ray.direction, f64::INFINITY) else {
+        return known;
+    };
     let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
     if !candidates.find(&shaft, inherited, |id| !cannot_be_left(id)) {
         return known;
@@ -33,7 +35,6 @@ pub(in crate::methods::certified) fn first_seen(
     if candidates.found.len() > MOST_CLASSIFIED {
         return KnownSight::Among(candidates.keep_found());
     }
-    let block = RayBlock::new(*ray);
     let hits = candidates
         .found
         .iter()
