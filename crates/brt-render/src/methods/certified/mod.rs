@@ -133,9 +133,10 @@ impl Certified<'_, '_> {
             self.worker.tracer.counters.blocks.filled += 1;
             return self.fill(area, parts, history.first(), color);
         }
-        // The remainder grows with the square of the side.
+        // The remainder grows with the square of the side; in large blocks with more.
         let side = f64::from((area.x1 - area.x0).max(area.y1 - area.y0));
-        if side < LEAST_EVEN * excess.sqrt() || area.is_within(2) {
+        let is_too_steep = area.is_within(LEAF) && side < LEAST_EVEN * excess.sqrt();
+        if is_too_steep || area.is_within(2) {
             self.shade(area, parts, history, Certificate::Color);
         } else {
             self.divide(area, parts, history);
