@@ -135,7 +135,7 @@ impl Certified<'_, '_> {
         }
         // The remainder grows with the square of the side; in large blocks with more.
         let side = f64::from((area.x1 - area.x0).max(area.y1 - area.y0));
-        let is_too_steep = area.is_within(LEAF) && side < LEAST_EVEN * excess.sqrt();
+        let is_too_steep = area.is_within(2 * LEAF) && side < LEAST_EVEN * excess.sqrt();
         if is_too_steep || area.is_within(2) {
             self.shade(area, parts, history, Certificate::Color);
         } else {
