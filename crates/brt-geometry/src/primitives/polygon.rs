@@ -88,10 +88,13 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
 #[inline(always)]
 pub fn edge_functions<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> impl Iterator<Item = R> {
     let mut a = corners[corners.len() - 1].lift::<R>() - ray.origin;
-    corners.iter().map(move |corner| {
-        let b = corner.lift::<R>() - ray.origin;
-        let side = ray.direction.dot(a.cross(b));
-        a = b;
-        side
-    })
+    corners.iter().map(
+        #[inline(always)]
+        move |corner| {
+            let b = corner.lift::<R>() - ray.origin;
+            let side = ray.direction.dot(a.cross(b));
+            a = b;
+            side
+        },
+    )
 }
