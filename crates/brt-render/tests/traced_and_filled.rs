@@ -1,8 +1,8 @@
 //! Methods that fill: what they trace is exact, what they fill lies between, and the counts add up.
 
 use brt_render::{
-    DifferenceDelta, HistoryKind, Layer, Method, PixelSelectedSettings, Run, SampleGrid, SampleState,
-    Settings,
+    CheckedPixels, DifferenceDelta, HistoryKind, Layer, Method, PixelSelectedSettings, Run, SampleGrid,
+    SampleState, Settings,
 };
 use brt_scene::Scene;
 use brt_testkit::{

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use brt_formats::write_toml;
-use brt_render::{LayerRows, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
+use brt_render::{Certificate, LayerRows, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
 use brt_scene::Scene;
 
 /// A picture with the layers that were asked for; the others are empty.
@@ -25,6 +25,8 @@ pub struct Rendered {
     pub history: Vec<RayHistory>,
     /// States.
     pub state: Vec<SampleState>,
+    /// Certificates that failed.
+    pub certificates: Vec<Option<Certificate>>,
     /// Counts.
     pub stats: Stats,
 }
@@ -67,7 +69,7 @@ impl Rendered {
             LayerRows::Normal(rows) => self.normal.extend(rows),
             LayerRows::History(rows) => self.history.extend(rows),
             LayerRows::State(rows) => self.state.extend(rows),
-            LayerRows::Certificates(_) => {}
+            LayerRows::Certificates(rows) => self.certificates.extend(rows),
         }
     }
 

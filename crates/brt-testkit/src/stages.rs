@@ -1,7 +1,7 @@
 //! The products of the steps as pictures that people can look at.
 
 use brt_image::{depth_color, id_color};
-use brt_render::{Layer, SampleState};
+use brt_render::{Certificate, Layer, SampleState};
 
 use crate::Rendered;
 
@@ -15,7 +15,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// All stages.
+    /// All stages of `border`.
     pub const ALL: [Self; 6] = [
         Self::Layer(Layer::Surface),
         Self::Layer(Layer::Depth),
@@ -33,6 +33,7 @@ impl Stage {
             Self::Layer(Layer::Normal) => "normal",
             Self::Layer(Layer::State) => "state",
             Self::Layer(Layer::History) => "history",
+            Self::Layer(Layer::Certificates) => "certificates",
             Self::Picture => "picture",
         }
     }
@@ -47,6 +48,7 @@ pub fn stage_colors(rendered: &Rendered, stage: Stage) -> Vec<[f32; 3]> {
         Stage::Layer(Layer::Normal) => rendered.normal.iter().map(|n| n.map(|c| 0.5 + 0.5 * c)).collect(),
         Stage::Layer(Layer::State) => rendered.state.iter().map(|&s| state_color(s)).collect(),
         Stage::Layer(Layer::History) => rendered.history.iter().map(|h| id_color(h.0)).collect(),
+        Stage::Layer(Layer::Certificates) => rendered.certificates.iter().map(|&c| cause_color(c)).collect(),
         Stage::Picture => rendered.colors.clone(),
     }
 }
@@ -57,6 +59,10 @@ fn depth_colors(depths: &[f32]) -> Vec<[f32; 3]> {
     // Floors reach to the horizon: what is farther than this is one colour.
     let farthest = finite().fold(0.0, f64::max).min(4.0 * nearest);
     depths.iter().map(|&d| depth_color(f64::from(d), nearest, farthest)).collect()
+}
+
+fn cause_color(cause: Option<Certificate>) -> [f32; 3] {
+    cause.map_or([0.0; 3], |certificate| id_color(certificate as u64))
 }
 
 fn state_color(state: SampleState) -> [f32; 3] {
