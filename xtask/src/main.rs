@@ -3,6 +3,7 @@
 
 mod agree;
 mod borders;
+mod certify;
 mod mutate;
 mod povray;
 mod scenes;
@@ -30,6 +31,25 @@ enum Task {
         /// Scene files or names; none: the seed scenes.
         scenes: Vec<String>,
     },
+    /// Compares certified pictures with full ray tracing, pixel by pixel, in many sizes and tolerances.
+    Certify {
+        /// Sizes wider than this are left out.
+        #[arg(long, default_value_t = 2048)]
+        most_side: u32,
+        /// Scene files or names; none: the seed scenes and all procedural ones.
+        scenes: Vec<String>,
+    },
+    /// The same for random views at random scales.
+    CertifyViews {
+        /// How many pixels to check.
+        #[arg(long, default_value_t = 20_000_000)]
+        pixels: u64,
+        /// Where the random numbers start.
+        #[arg(long, default_value_t = 1987)]
+        seed: u64,
+        /// Scene files or names; none: the seed scenes and all procedural ones.
+        scenes: Vec<String>,
+    },
     /// Compares our pictures of the seed scenes with POV-Ray's (`povray-{a,b,c}-512-linear.ppm`).
     Povray {
         /// The folder with these pictures.
@@ -53,6 +73,8 @@ fn main() -> anyhow::Result<()> {
     match Task::parse() {
         Task::Agree { size, scenes } => agree::run(size, &scenes),
         Task::Borders { size, scenes } => borders::run(size, &scenes),
+        Task::Certify { most_side, scenes } => certify::matrix(&scenes, most_side),
+        Task::CertifyViews { pixels, seed, scenes } => certify::views(&scenes, pixels, seed),
         Task::Povray { pictures } => povray::run(&pictures),
         Task::Mutate { count, brt, files } => mutate::run(count, &brt, &files),
     }
