@@ -71,7 +71,7 @@ fn of_the_others() {
 }
 
 #[test]
-fn options_of_a_method_that_does_not_exist_are_not_offered() {
+fn the_default_method_is_the_one_that_promises_most() {
     let help = Bench::new().done("render --help");
-    assert!(!help.text().contains("certified"));
+    assert!(help.text().contains("[default: certified]"));
 }

@@ -24,7 +24,9 @@ fn the_last_line_tells_file_size_samples_time_and_method() {
     };
     let line = last("--samples 4");
     assert!(line.starts_with("a.png 64×48 ×4 · "), "{line}");
-    assert!(line.ends_with(" % traced · border Δ 16"), "{line}");
+    assert!(line.ends_with(" % traced · every pixel within 1 level"), "{line}");
+    assert!(last("--samples 1 --method border").ends_with(" % traced · border Δ 16"));
+    assert!(last("--samples 1 --tolerance 0").ends_with(" · every pixel as traced"));
     assert!(last("--samples 1 --method full").ends_with(" · 100 % traced · full"));
     assert!(last("--samples 1 --method pixel-selected --delta 2").ends_with(" · pixel-selected Δ 2"));
     let default = bench.done("render ball.toml -v -s 32x32");
@@ -131,6 +133,7 @@ fn stats_have_the_promised_keys() {
         keys(&stats),
         [
             "blocks",
+            "certificates",
             "height",
             "method",
             "nodes_visited",
@@ -166,7 +169,9 @@ fn stats_have_the_promised_keys() {
 fn no_save_writes_nothing_but_stats() {
     let bench = Bench::new();
     let ended = bench.done(&format!("render ball.toml {QUICK} --no-save --stats -"));
-    assert_eq!(ended.json()["method"], "border");
+    assert_eq!(ended.json()["method"], "certified");
+    let visibility = &ended.json()["certificates"]["color"];
+    assert_eq!(keys(visibility), ["failed", "proven", "tried"]);
     assert_eq!(bench.files(), ["ball.toml"]);
     assert_eq!(bench.run("render ball.toml --no-save -o a.png").code, Some(2));
 }
@@ -176,11 +181,18 @@ fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
     let bench = Bench::new();
     let full = bench.done(&format!("render ball.toml {QUICK} --method full --verify"));
     assert_eq!(full.text(), "3,072 pixels checked, greatest error 0.00 level, 0 above 0\n");
-    let border = bench.done(&format!("render ball.toml {QUICK} --delta 128 --verify"));
+    let border = bench.done(&format!("render ball.toml {QUICK} --method border --delta 128 --verify"));
     assert!(border.text().starts_with("3,072 pixels checked, greatest error "), "{}", border.text());
-    let over = bench.run(&format!("render ball.toml {QUICK} --delta 128 --max-error 0"));
+    let over = bench.run(&format!("render ball.toml {QUICK} --method border --delta 128 --max-error 0"));
     assert_eq!(over.code, Some(3), "{}", over.text());
-    bench.done(&format!("render ball.toml {QUICK} --delta 128 --max-error 255"));
+    bench.done(&format!("render ball.toml {QUICK} --method border --delta 128 --max-error 255"));
+    // Every 16th of 48 rows of 64 pixels.
+    let rows = bench.done(&format!("render ball.toml {QUICK} --tolerance 0.25 --verify=rows"));
+    assert!(rows.text().starts_with("192 pixels checked, "), "{}", rows.text());
+    assert!(rows.text().ends_with(" level, 0 above 0.25\n"), "{}", rows.text());
+    for output in ["--no-save --linear", "-o a.exr", "--no-save"] {
+        bench.done(&format!("render ball.toml -s 64x48 --samples 4 --max-error 1 {output}"));
+    }
 }
 
 #[test]
@@ -205,7 +217,8 @@ fn every_method_and_paper_option_renders() {
         "--method full --accelerator none",
         "--method pixel-selected --icps --block 8 --delta 4 --history shadower",
         "--method border --judge variance --regions together --history shadower --block 32 --delta 4",
-        "--judge difference --filter gaussian --samples 4 --max-depth 0",
+        "--method border --judge difference --filter gaussian --samples 4 --max-depth 0",
+        "--tolerance 0.5 --filter gaussian --samples 4 --accelerator extents --layers certificates,state,history",
     ] {
         bench.done(&format!("render ball.toml -s 40x30 {options}"));
     }

@@ -19,6 +19,8 @@ fn refuses(cases: &[(&str, &str)]) {
 fn options_that_belong_to_another_method() {
     refuses(&[
         ("render ball.toml --method full --judge variance", "`--judge` belongs to `--method border`"),
+        ("render ball.toml --delta 3", "not to `certified`; use `--tolerance`"),
+        ("render ball.toml --method border --tolerance 3", "`--method certified` and `--method pencil`"),
         ("render ball.toml --method full --delta 3", "`--method border` and `--method pixel-selected`"),
         ("render ball.toml --icps", "`--icps` belongs to `--method pixel-selected`"),
         ("render ball.toml --method border --icps", "not to `border`"),
@@ -44,7 +46,8 @@ fn values_out_of_range() {
         ("render ball.toml --delta nan", "at least 0"),
         ("render ball.toml --block 129", "1..=128"),
         ("render ball.toml --layers depth,colour", "surface"),
-        ("render ball.toml --method certified", "border"),
+        ("render ball.toml --method certain", "certified"),
+        ("render ball.toml --verify=some", "rows, all"),
         ("render ball.toml --pixel 3", "X,Y"),
         ("compare a.png b.png --max-error x", "at least 0"),
     ]);
@@ -91,7 +94,6 @@ fn habits_of_others_get_a_hint() {
         ("render ball.toml +A0.3", "hint: `--samples 1|4|16|64` smooths edges here"),
         ("part.stl", "hint: did you mean `brt render part.stl`?"),
         ("ball.toml -o a.png", "hint: did you mean `brt render ball.toml`?"),
-        ("render ball.toml --tolerance 1", "hint: "),
         ("", "Usage: brt <COMMAND>"),
     ]);
 }

@@ -1,12 +1,12 @@
 //! The chosen method with its settings; options of another method are refused.
 
 use brt::{
-    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
-    PixelSelectedSettings, Transfer, VarianceDelta,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Encoding, Judge, Method,
+    PencilSettings, PictureFormat, PixelSelectedSettings, Transfer, VarianceDelta,
 };
 
 use super::options::{MethodName, Options};
-use super::paper::{JudgeName, PaperOptions};
+use super::paper::JudgeName;
 use crate::exit::{Failure, wrong_use};
 
 /// Δ and the first block's side where none is given. Paper: P7, reading 4.
@@ -14,9 +14,9 @@ const DELTA: f64 = 16.0;
 const BLOCK: u32 = 16;
 
 /// The method that the options ask for.
-pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
+pub(super) fn chosen(options: &Options, encoding: &Encoding) -> Result<Method, Failure> {
     let paper = &options.paper;
-    check_belonging(options.method, paper)?;
+    check_belonging(options)?;
     let delta = paper.delta.unwrap_or(DELTA);
     let block = paper.block.unwrap_or(BLOCK);
     Ok(match options.method {
@@ -25,11 +25,15 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
         MethodName::ScanLine => Method::ScanLine,
         MethodName::Pencil => Method::Pencil(PencilSettings {
             block: paper.block.unwrap_or(PencilSettings::default().block),
-            tolerance: paper.tolerance.unwrap_or(PencilSettings::default().tolerance),
+            tolerance: options.tolerance.unwrap_or(PencilSettings::default().tolerance),
         }),
         MethodName::Certified => Method::Certified(CertifiedSettings {
-            tolerance: paper.tolerance.unwrap_or(CertifiedSettings::default().tolerance),
-            transfer: if options.linear { Transfer::Linear } else { Transfer::Srgb },
+            tolerance: options.tolerance.unwrap_or(CertifiedSettings::default().tolerance),
+            // OpenEXR stores linear light whatever is asked for.
+            transfer: match encoding.format {
+                PictureFormat::Exr => Transfer::Linear,
+                PictureFormat::Png | PictureFormat::Ppm => encoding.transfer,
+            },
         }),
         MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
             block,
@@ -48,22 +52,28 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
     })
 }
 
-fn check_belonging(method: MethodName, paper: &PaperOptions) -> Result<(), Failure> {
+fn check_belonging(options: &Options) -> Result<(), Failure> {
     use MethodName::{Border, Certified, Pencil, PixelSelected};
+    let Options { method, paper, .. } = options;
     let given: [(&str, bool, &[MethodName]); 7] = [
         ("--delta", paper.delta.is_some(), &[Border, PixelSelected]),
         ("--judge", paper.judge.is_some(), &[Border]),
         ("--regions", paper.regions.is_some(), &[Border]),
         ("--history", paper.history.is_some(), &[Border, PixelSelected]),
         ("--block", paper.block.is_some(), &[Border, PixelSelected, Pencil]),
-        ("--tolerance", paper.tolerance.is_some(), &[Certified, Pencil]),
+        ("--tolerance", options.tolerance.is_some(), &[Certified, Pencil]),
         ("--icps", paper.icps, &[PixelSelected]),
     ];
     for (option, is_given, methods) in given {
-        if is_given && !methods.contains(&method) {
+        if is_given && !methods.contains(method) {
             let names: Vec<_> = methods.iter().map(|m| format!("`--method {}`", m.name())).collect();
             let owners = names.join(" and ");
-            return Err(wrong_use(format!("`{option}` belongs to {owners}, not to `{}`", method.name())));
+            let advice = match method {
+                Certified if option == "--delta" => "; use `--tolerance`",
+                _ => "",
+            };
+            let name = method.name();
+            return Err(wrong_use(format!("`{option}` belongs to {owners}, not to `{name}`{advice}")));
         }
     }
     Ok(())

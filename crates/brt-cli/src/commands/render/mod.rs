@@ -24,8 +24,8 @@ use targets::Targets;
 /// Renders a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let begin = Instant::now();
-    let method = method::chosen(options)?;
     let targets = Targets::new(options)?;
+    let method = method::chosen(options, &targets.picture.encoding)?;
 
     let limits = options.limits.limits(options.max_pixels);
     let input = scene_input::read(&options.scene, &limits)?;

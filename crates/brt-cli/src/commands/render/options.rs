@@ -33,6 +33,10 @@ pub(crate) struct Options {
     /// Which pixels are traced
     #[arg(long, value_enum, default_value_t)]
     pub(crate) method: MethodName,
+    /// Greatest error of a channel against full ray tracing in levels of 255 of the stored picture before rounding, for
+    /// `certified`; of linear light, for `pencil`; 0: none [default: 1]
+    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    pub(crate) tolerance: Option<f64>,
     /// Samples per pixel
     #[arg(long, value_name = "N", value_parser = values::samples(), default_value = "16")]
     pub(crate) samples: Samples,
@@ -132,9 +136,9 @@ pub(crate) enum MethodName {
     /// Pixel-selected ray tracing (Akimoto, Mase 1986)
     PixelSelected,
     /// Border ray tracing (Hashimoto, Suenaga 1987)
-    #[default]
     Border,
-    /// What is not traced is proven to be within a tolerance
+    /// Every pixel is proven to be within a tolerance of `full`
+    #[default]
     Certified,
 }
 

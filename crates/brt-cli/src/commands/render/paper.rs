@@ -12,9 +12,6 @@ pub(crate) struct PaperOptions {
     /// `pixel-selected` [default: 16]
     #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
     pub(crate) delta: Option<f64>,
-    /// Greatest error of a channel in levels of 255, linear, for `pencil` [default: 1]
-    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
-    pub(crate) tolerance: Option<f64>,
     /// How brightness is judged by `border` [default: deviation]
     #[arg(long, value_enum)]
     pub(crate) judge: Option<JudgeName>,
