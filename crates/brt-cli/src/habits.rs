@@ -32,11 +32,6 @@ const OPTIONS: &[(&str, Match, &str)] = &[
     ("-maxdepth", Match::Whole, "it is `--max-depth N` here"),
     ("-fullshade", Match::Whole, "pictures are always shaded fully here"),
     ("--spp", Match::Beginning, "samples per pixel are `--samples 1|4|16|64` here"),
-    (
-        "--tolerance",
-        Match::Beginning,
-        "no method with a tolerance exists yet; `--method border` has `--delta`",
-    ),
 ];
 
 /// How much of a word must be the same.
