@@ -1,7 +1,8 @@
 //! Proves that a light is seen from all points of a patch that face it, or from none.
 //!
 //! From: the shaft between the light and the patch; what reaches into it and casts shadows. Nothing: lit. A primitive
-//! that all ways certainly meet before the light: dark, as is a patch that faces away. A flat primitive with the patch
+//! that all ways certainly meet before the light: dark, as is a patch that faces away. (Where it is not certain that a
+//! patch faces the light, a highlight would not end with the surface: open.) A flat primitive with the patch
 //! and the light on one side of its plane is in no way between them.
 
 use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
@@ -26,7 +27,8 @@ pub(in crate::methods::certified) fn lighting(
         KnownLighting::Among(list) => Some(list),
         KnownLighting::Unknown => None,
     };
-    if patch.faces(ways) == Some(false) {
+    let faces = patch.faces(ways);
+    if faces == Some(false) {
         return KnownLighting::Hidden;
     }
     let Some(shaft) = shaft_of(patch, light, ways) else { return known };
@@ -60,7 +62,9 @@ pub(in crate::methods::certified) fn lighting(
     if is_hidden {
         return KnownLighting::Hidden;
     }
-    match candidates.found.is_empty() {
+    // Highlights end where the surface turns away: light that passes an open end must not bring one from behind.
+    let is_lit = faces == Some(true) || patch.material.specular == 0.0;
+    match candidates.found.is_empty() && is_lit {
         true => KnownLighting::Seen,
         false => KnownLighting::Among(candidates.keep_found()),
     }
