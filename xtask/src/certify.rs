@@ -1,6 +1,7 @@
 //! Does every certified pixel keep its promise?
 
 use anyhow::{Result, ensure};
+use brt_formats::write_toml;
 use brt_image::Transfer;
 use brt_render::{CertifiedSettings, Method, Settings};
 use brt_scene::{Camera, Projection, Scene, procedural};
@@ -66,7 +67,13 @@ pub(crate) fn views(given: &[String], pixels: u64, seed: u64) -> Result<()> {
         let transfer = random.pick(&[Transfer::Linear, Transfer::Srgb]);
         let tolerance = random.pick(&[0.0, 0.1, 0.25, 1.0, 1.0, 3.0]);
         let view = format!("{name}, {:?}", scene.camera);
+        let before = tally.above;
         Check::of(&scene, size)?.keeps(CertifiedSettings { tolerance, transfer }, &view, &mut tally)?;
+        if tally.above > before {
+            let path = std::env::temp_dir().join("certify-failed.toml");
+            std::fs::write(&path, write_toml(&Scene { size: Some(size), ..scene }))?;
+            println!("that scene is now {}", path.display());
+        }
     }
     end(&tally)
 }
