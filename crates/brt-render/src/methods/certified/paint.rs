@@ -198,7 +198,8 @@ struct RowFill {
 impl RowFill {
     #[inline(always)]
     fn next(&mut self) -> [f32; 3] {
-        let color = std::array::from_fn(|i| self.start[i] + self.step[i] * self.at);
+        // Light is not negative: where the line is, it is off by at least as much as 0.
+        let color = std::array::from_fn(|i| (self.start[i] + self.step[i] * self.at).max(0.0));
         self.at += 1.0;
         color
     }
