@@ -1,50 +1,10 @@
 //! What a whole block of rays hits, by Taylor models, holds for each of its rays.
 
-use brt_geometry::{
-    Aabb, Cone, Cylinder, Disc, Mask, Plane, Polygon, Primitive, Ray, Real, Sphere, Start, Taylor, Triangle,
-    Vec3,
-};
+mod common;
+
+use brt_geometry::{Aabb, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Start, Taylor, Vec3};
 use brt_testkit::Random;
-
-fn random_primitive(random: &mut Random, kind: u32) -> Primitive {
-    let (base, axis) = (random.point(2.0), random.direction());
-    let height = random.between(0.2, 2.5);
-    match kind {
-        0 => Primitive::Sphere(Sphere { center: base, radius: random.magnitude(-2.0, 0.4) }),
-        1 => Primitive::Plane(Plane::through(base, axis)),
-        2 => loop {
-            let corners = [random.point(3.0), random.point(3.0), random.point(3.0)];
-            if let Some(triangle) = Triangle::new(corners) {
-                break Primitive::Triangle(triangle);
-            }
-        },
-        3 => {
-            let (u, v) = axis.tangents();
-            let count = 3 + random.below(6);
-            let corner = |i: u32| {
-                let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-                base + (u * angle.cos() + v * angle.sin()) * height
-            };
-            let corners = (0..count).map(corner).collect();
-            Primitive::Polygon(Polygon { plane: Plane::through(base, axis), corners })
-        }
-        4 => Primitive::Disc(Disc::new(base, axis, height)),
-        5 => Primitive::Cylinder(Cylinder { base, axis, height, radius: random.magnitude(-1.5, 0.3) }),
-        _ => {
-            let (base_radius, top_radius) = (random.between(0.0, 1.5), random.between(0.0, 1.5));
-            let top_radius = if random.one_in(3) { 0.0 } else { top_radius };
-            Primitive::Cone(Cone {
-                base,
-                axis,
-                height,
-                base_radius,
-                slope: (top_radius - base_radius) / height,
-            })
-        }
-    }
-}
-
-const KINDS: u32 = 7;
+use common::{KINDS, random_primitive};
 
 /// A block of rays of a camera: column and row in, ray out.
 struct View {
@@ -104,6 +64,16 @@ struct Verdicts {
 
 fn check(primitive: &Primitive, view: &View, start: Start, verdicts: &mut Verdicts) {
     let bound = primitive.first_hit(&view.block(), start);
+    check_bound(&bound, primitive, view, start, verdicts);
+}
+
+fn check_bound(
+    bound: &Hit<Taylor>,
+    primitive: &Primitive,
+    view: &View,
+    start: Start,
+    verdicts: &mut Verdicts,
+) {
     let [lo, hi] = bound.t.range();
     let (mut hits, mut misses) = (0, 0);
     for ray in view.rays() {
@@ -152,6 +122,81 @@ fn what_is_certain_of_rays_that_leave_the_primitive_is_true_as_well() {
             check(&primitive, &View::random(&mut random), Start::OnPrimitive, &mut verdicts);
         }
         assert!(verdicts.none > 100, "kind {kind}: {verdicts:?}");
+    }
+}
+
+#[test]
+fn moments_say_the_same_and_leave_less_open() {
+    for kind in 0..KINDS {
+        let mut random = Random::new(400 + u64::from(kind));
+        let (mut plain, mut by_moments) = (Verdicts::default(), Verdicts::default());
+        for _ in 0..4000 {
+            let primitive = random_primitive(&mut random, kind);
+            let view = View::random(&mut random);
+            let block = RayBlock::new(view.block());
+            check(&primitive, &view, Start::Elsewhere, &mut plain);
+            let bound = block.first_hit(&primitive, Start::Elsewhere);
+            check_bound(&bound, &primitive, &view, Start::Elsewhere, &mut by_moments);
+            let [lo, hi] = block.distance(&primitive, Start::Elsewhere).range();
+            let hits = view.rays().map(|ray| primitive.first_hit(&ray, Start::Elsewhere));
+            assert!(hits.filter(|hit| hit.found).all(|hit| lo <= hit.t && hit.t <= hi), "{primitive:?}");
+        }
+        assert!(by_moments.undecided <= plain.undecided + 5, "kind {kind}: {plain:?} {by_moments:?}");
+    }
+}
+
+/// From a piece of a plane to a light.
+#[test]
+fn light_ways_are_judged_around_the_light() {
+    for kind in 0..KINDS {
+        let mut random = Random::new(500 + u64::from(kind));
+        let (mut certain, mut impossible) = (0, 0);
+        for _ in 0..1500 {
+            let primitive = random_primitive(&mut random, kind);
+            let light = random.point(5.0);
+            let (corner, normal) = (random.point(4.0), random.direction());
+            let step = random.magnitude(-4.0, -0.5);
+            let (right, down) = (normal.tangents().0 * step, normal.tangents().1 * step);
+            let at = |x: f64, y: f64| corner + right * x + down * y;
+            let origin = corner.lift::<Taylor>()
+                + right.lift() * Taylor::linear(2.0, 2.0, 0.0)
+                + down.lift() * Taylor::linear(3.0, 0.0, 3.0);
+            let ways = Ray::new(origin, light.lift() - origin);
+            let bound = RayBlock::to_point(ways, light).first_hit(&primitive, Start::Elsewhere);
+            let [lo, hi] = bound.t.range();
+            for (x, y) in (0..=4).flat_map(|x| (0..=6).map(move |y| (f64::from(x), f64::from(y)))) {
+                let ray = Ray::new(at(x, y), light - at(x, y));
+                let hit = primitive.first_hit(&ray, Start::Elsewhere);
+                assert!(hit.found || !bound.found.all(), "certain, but missed: {ray:?} {primitive:?}");
+                assert!(!hit.found || bound.found.any(), "impossible, but hit: {ray:?} {primitive:?}");
+                assert!(!hit.found || (lo <= hit.t && hit.t <= hi), "{} not in {lo}..{hi}", hit.t);
+            }
+            certain += u32::from(bound.found.all());
+            impossible += u32::from(!bound.found.any());
+        }
+        assert!(certain > 20 && impossible > 100, "kind {kind}: {certain} {impossible}");
+    }
+}
+
+#[test]
+fn what_a_shaft_misses_no_ray_hits() {
+    for kind in 0..KINDS {
+        let mut random = Random::new(600 + u64::from(kind));
+        let mut missed = 0;
+        for _ in 0..4000 {
+            let primitive = random_primitive(&mut random, kind);
+            let view = View::random(&mut random);
+            let block = view.block();
+            let end = if random.one_in(2) { f64::INFINITY } else { random.between(0.1, 5.0) };
+            let Some(shaft) = Shaft::around(&block.origin, &block.direction, end) else { continue };
+            if shaft.misses(&primitive) {
+                missed += 1;
+                let mut hits = view.rays().map(|ray| primitive.first_hit(&ray, Start::Elsewhere));
+                assert!(!hits.any(|hit| hit.found && hit.t <= end), "{primitive:?}");
+            }
+        }
+        // Infinite planes are never missed.
+        assert!(missed > 500 || kind == 1, "kind {kind}: {missed}");
     }
 }
 

@@ -1,6 +1,8 @@
 //! A walk through the tree visits everything that a ray touches.
 
-use brt_geometry::{Aabb, Bvh, FARTHEST, Primitive, Ray, Sphere, Start, Traversal, Triangle, Vec3, vec3};
+use brt_geometry::{
+    Aabb, Bvh, FARTHEST, Primitive, Ray, Shaft, Sphere, Start, Taylor, Traversal, Triangle, Vec3, vec3,
+};
 use brt_testkit::Random;
 
 /// Items visited by walks of both kinds that never stop early.
@@ -214,4 +216,44 @@ fn the_closest_hit_is_that_of_brute_force_with_far_fewer_tests() {
         assert!(hits > rays / 5, "{hits} hits");
         assert!(tests < u64::from(rays) * 60, "{tests} tests by the tree");
     }
+}
+
+#[test]
+fn whatever_rays_of_a_shaft_touch_is_found_by_the_shaft() {
+    let mut random = Random::new(77);
+    let (mut touched, mut found) = (0, 0);
+    for _ in 0..300 {
+        let size = random.magnitude(-6.0, 6.0);
+        let boxes: Vec<(u32, Aabb)> = (0..60).map(|i| (i, random_box(&mut random, size))).collect();
+        let tree = Bvh::build(&boxes);
+        let (origin, target) = (random.point(2.0) * size, random.point(1.0) * size);
+        let (right, down) = (target - origin).try_normalize().unwrap_or_default().tangents();
+        let step = size * random.magnitude(-3.0, 0.0);
+        let direction = |x: f64, y: f64| target - origin + right * (x * step) + down * (y * step);
+        let model = (target - origin).lift::<Taylor>()
+            + right.lift() * Taylor::linear(0.0, step, 0.0)
+            + down.lift() * Taylor::linear(0.0, 0.0, step);
+        let Some(shaft) = Shaft::around(&origin.lift(), &model, f64::INFINITY) else { continue };
+        let mut items = Vec::new();
+        assert!(tree.touched_by(&shaft, |item| {
+            items.push(item);
+            true
+        }));
+        found += items.len();
+        for (x, y) in (-2..=2).flat_map(|x| (-2..=2).map(move |y| (0.5 * f64::from(x), 0.5 * f64::from(y)))) {
+            let ray = Ray::new(origin, direction(x, y));
+            for (item, bounds) in &boxes {
+                let point = bounds.lo + (bounds.hi - bounds.lo) * random.unit();
+                let t = (point - origin).dot(ray.direction) / ray.dd;
+                let on_ray = ray.at(t);
+                let is_inside =
+                    |axis: usize| bounds.lo[axis] <= on_ray[axis] && on_ray[axis] <= bounds.hi[axis];
+                if t > 0.0 && (0..3).all(is_inside) {
+                    touched += 1;
+                    assert!(items.contains(item), "{bounds:?} {ray:?}");
+                }
+            }
+        }
+    }
+    assert!(touched > 1000 && found < 300 * 45, "{touched} {found}");
 }

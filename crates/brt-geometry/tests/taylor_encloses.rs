@@ -249,13 +249,14 @@ fn enclosures_of_tame_expressions_are_hardly_wider_than_what_they_enclose() {
     let (x, y) = (Taylor::linear(10.0, 1.0, 0.0), Taylor::linear(20.0, 0.0, 1.0));
     let c = Taylor::constant;
     type Scalar = &'static dyn Fn(f64, f64) -> f64;
-    let cases: [(&str, Taylor, Scalar, f64); 9] = [
+    let cases: [(&str, Taylor, Scalar, f64); 10] = [
         ("linear", c(3.0) * x - y, &|x, y| 3.0 * x - y, 1.000_001),
         ("product", x * y, &|x, y| x * y, 1.04),
         ("square", x * x, &|x, _| x * x, 1.03),
         ("quotient", x / y, &|x, y| x / y, 1.05),
         ("reciprocal", c(1.0) / x, &|x, _| 1.0 / x, 1.06),
         ("root", x.sqrt(), &|x, _| x.sqrt(), 1.03),
+        ("inverse root", x.inverse_sqrt(), &|x, _| 1.0 / x.sqrt(), 1.05),
         ("whole power", Exponent::new(3.0).power(x), &|x, _| x * x * x, 1.1),
         ("broken power", Exponent::new(2.5).power(x), &|x, _| x.powf(2.5), 1.000_1),
         ("choice", x.max(y).min(c(1e9)), &|_, y| y, 1.000_001),
@@ -275,5 +276,41 @@ fn halving_a_block_quarters_the_error() {
     for half in [0.5, 0.25, 0.125] {
         let ratio = error(half) / error(0.5 * half);
         assert!((3.5..5.5).contains(&ratio), "{half}: {ratio}");
+    }
+}
+
+/// The greatest distance of a function from the linear part of its model, over the model's remainder.
+fn used_share(x: Taylor, y: Taylor, f: &dyn Fn(f64, f64) -> f64, model: Taylor) -> f64 {
+    let mut greatest: f64 = 0.0;
+    for i in 0..=200 {
+        for j in 0..=200 {
+            let (u, v) = (f64::from(i) * 0.01 - 1.0, f64::from(j) * 0.01 - 1.0);
+            let linear = model.c + model.u * u + model.v * v;
+            greatest = greatest.max((f(x.c + x.u * u, y.c + y.v * v) - linear).abs());
+        }
+    }
+    greatest / model.e
+}
+
+/// So a remainder that is a tenth smaller would be wrong, and the tests above would tell.
+#[test]
+fn remainders_are_used_up() {
+    let (x, y) = (Taylor::linear(10.0, 3.0, 0.0), Taylor::linear(20.0, 0.0, 5.0));
+    let mixed = Taylor::linear(0.5, 2.0, 0.0);
+    let c = Taylor::constant;
+    type Scalar = &'static dyn Fn(f64, f64) -> f64;
+    let cases: [(&str, Taylor, Taylor, Scalar); 8] = [
+        ("product", x, x * y, &|x, y| x * y),
+        ("square", x, x * x, &|x, _| x * x),
+        ("reciprocal", x, c(1.0) / x, &|x, _| 1.0 / x),
+        ("root", x, x.sqrt(), &|x, _| x.sqrt()),
+        ("inverse root", x, x.inverse_sqrt(), &|x, _| 1.0 / x.sqrt()),
+        ("whole power", x, Exponent::new(2.0).power(x), &|x, _| x * x),
+        ("broken power", x, Exponent::new(2.5).power(x), &|x, _| x.powf(2.5)),
+        ("greater of two", mixed, mixed.max(c(0.0)), &|x, _| x.max(0.0)),
+    ];
+    for (name, x, model, f) in cases {
+        let share = used_share(x, y, f, model);
+        assert!(share > 0.9 && share <= 1.0, "{name}: {share}");
     }
 }

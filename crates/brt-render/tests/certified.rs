@@ -33,12 +33,12 @@ fn is_kept(picture: &Rendered, certified: CertifiedSettings, settings: &Settings
 }
 
 /// Renders a scene and checks every pixel.
-fn checked(scene: &Scene, certified: CertifiedSettings, settings: Settings) -> Result<Rendered, String> {
+fn checked(scene: &Scene, certified: CertifiedSettings, settings: &Settings) -> Result<Rendered, String> {
     let settings = Settings {
         method: Method::Certified(certified),
         layers: vec![Layer::State, Layer::Certificates],
         checked: CheckedPixels::All,
-        ..settings
+        ..settings.clone()
     };
     let picture = render_with_layers(scene, &settings, &Run::default());
     let broken = |&i: &usize| !is_kept(&picture, certified, &settings, i);
@@ -75,7 +75,7 @@ proptest! {
         filter in prop_oneof![Just(Filter::Box), Just(Filter::Gaussian)],
     ) {
         let settings = Settings { samples, filter, ..Settings::new([width, height]) };
-        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, settings);
+        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
 }
@@ -86,7 +86,7 @@ fn seed_scenes_are_filled_within_the_tolerance_wherever_they_stand() {
         let scene = seed_scene(name);
         let far = brt_geometry::vec3(1e3, -1e3, 1e3);
         for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, far), scene] {
-            let picture = checked(&moved, CertifiedSettings::default(), Settings::new([300, 300])).unwrap();
+            let picture = checked(&moved, CertifiedSettings::default(), &Settings::new([300, 300])).unwrap();
             assert!(filled_share(&picture) >= least, "{name}: {}", filled_share(&picture));
         }
     }
@@ -99,7 +99,7 @@ fn named_scenes_are_within_the_tolerance() {
         for (tolerance, transfer) in [(1.0, Transfer::Srgb), (0.25, Transfer::Linear), (0.0, Transfer::Srgb)]
         {
             let certified = CertifiedSettings { tolerance, transfer };
-            checked(&scene, certified, Settings::new([160, 120])).unwrap();
+            checked(&scene, certified, &Settings::new([160, 120])).unwrap();
         }
     }
 }
@@ -110,7 +110,7 @@ fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
     let scene = named("adversary");
     let settings = || Settings { checked: CheckedPixels::All, ..Settings::new([512, 512]) };
     let linear = CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear };
-    let picture = checked(&scene, linear, settings()).unwrap();
+    let picture = checked(&scene, linear, &settings()).unwrap();
     assert!(filled_share(&picture) > 0.5, "{}", filled_share(&picture));
     let method = Method::Border(BorderSettings::default());
     let border = render_with_layers(&scene, &Settings { method, ..settings() }, &Run::default());
@@ -122,7 +122,7 @@ fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
 fn means_of_sixteen_samples_keep_the_tolerance() {
     for filter in [Filter::Box, Filter::Gaussian] {
         let settings = Settings { samples: Samples::Sixteen, filter, ..Settings::new([64, 48]) };
-        checked(&seed_scene("b"), CertifiedSettings::default(), settings).unwrap();
+        checked(&seed_scene("b"), CertifiedSettings::default(), &settings).unwrap();
     }
 }
 
