@@ -1,8 +1,8 @@
 //! The methods and accelerators that are compared. What is built later gets its line here.
 
 use brt::{
-    Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
-    PixelSelectedSettings, Regions, VarianceDelta,
+    Accelerator, BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method,
+    PencilSettings, PixelSelectedSettings, Regions, Transfer, VarianceDelta,
 };
 
 /// The threshold of Figs. 1–4, in levels. Paper: P7.
@@ -62,6 +62,11 @@ impl Selection {
         };
         Method::Border(BorderSettings { judge, regions, ..Default::default() })
     }
+}
+
+/// Certified within a level, linear like the paper's pictures.
+pub(crate) fn certified() -> Method {
+    Method::Certified(CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear })
 }
 
 /// The three families of speed-ups. Paper: P1.

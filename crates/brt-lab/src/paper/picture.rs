@@ -67,7 +67,8 @@ pub(crate) fn levels(color: [f32; 3]) -> [f64; 3] {
     unrounded_levels(color).map(f64::round)
 }
 
-fn unrounded_levels(color: [f32; 3]) -> [f64; 3] {
+/// The same before rounding.
+pub(crate) fn unrounded_levels(color: [f32; 3]) -> [f64; 3] {
     color.map(|c| 255.0 * f64::from(c.clamp(0.0, 1.0)))
 }
 

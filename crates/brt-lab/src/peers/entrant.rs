@@ -53,13 +53,15 @@ const fn entrant(name: &'static str, class: Class, program: Program) -> Entrant 
 }
 
 /// Everybody; in each class ours come first, and `full` before all.
-pub(super) const ENTRANTS: [Entrant; 8] = [
+pub(super) const ENTRANTS: [Entrant; 10] = [
     entrant("brt full", Class::Plain, Program::Ours("full")),
     entrant("brt border", Class::Plain, Program::Ours("border")),
+    entrant("brt certified", Class::Plain, Program::Ours("certified")),
     entrant("POV-Ray", Class::Plain, Program::Other(Peer::PovRay)),
     entrant("Tachyon", Class::Plain, Program::Other(Peer::Tachyon)),
     entrant("brt full, 16 samples", Class::AntiAliased, Program::Ours("full")),
     entrant("brt border, 16 samples", Class::AntiAliased, Program::Ours("border")),
+    entrant("brt certified, 16 samples", Class::AntiAliased, Program::Ours("certified")),
     entrant("POV-Ray +A0.1 +AM2", Class::AntiAliased, Program::Other(Peer::PovRay)),
     entrant("Tachyon -aasamples 12", Class::AntiAliased, Program::Other(Peer::Tachyon)),
 ];
@@ -97,8 +99,10 @@ fn ours(method: &str, class: Class, task: &Task, picture: Option<&str>) -> Comma
     let mut command = Command::new(task.ours);
     command.args(["render", task.toml, "-q", "-j", "1", "--method", method, "--samples", class.samples()]);
     command.args(["-s", &format!("{width}x{height}")]);
+    // The tolerance of `certified` is in units of what is stored.
+    command.arg("--linear");
     match picture {
-        Some(file) => command.args(["--linear", "--bits", "16", "-o", file]),
+        Some(file) => command.args(["--bits", "16", "-o", file]),
         None => command.arg("--no-save"),
     };
     command

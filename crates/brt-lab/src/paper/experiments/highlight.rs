@@ -4,7 +4,7 @@ use brt::{Layer, Method, Settings};
 
 use super::{Figure, shown_table};
 use crate::paper::PaperError;
-use crate::paper::contenders::{DELTA, Selection};
+use crate::paper::contenders::{DELTA, Selection, certified};
 use crate::paper::findings::Findings;
 use crate::paper::lab::{Lab, square};
 use crate::paper::picture::{Picture, difference_map, image_element, levels};
@@ -12,6 +12,17 @@ use crate::paper::subjects::{SMALL_BALLS_SIDE, Subjects, small_balls};
 use crate::paper::table::Table;
 
 const SHOWN: [Selection; 2] = [Selection::Deviation, Selection::Psrt];
+
+/// The methods of Fig. 7: in tables, on the page.
+fn shown_methods() -> [(&'static str, &'static str, Method); 3] {
+    let of = |selection: Selection| selection.method(DELTA);
+    [
+        (Selection::Deviation.key(), "border", of(Selection::Deviation)),
+        (Selection::Psrt.key(), "PSRT", of(Selection::Psrt)),
+        ("certified", "certified", certified()),
+    ]
+}
+
 /// Each pixel is shown this many pixels wide.
 const MAGNIFIED: u32 = 4;
 /// A highlight is lost if the ball's brightest pixel is darker by more than this many levels.
@@ -35,8 +46,8 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
         "ball_lost",
     ];
     let mut table = Table::new("fig7", &columns);
-    for selection in SHOWN {
-        let picture = lab.picture(&scene, &settings(selection.method(DELTA)))?;
+    for (key, name, method) in shown_methods() {
+        let picture = lab.picture(&scene, &settings(method))?;
         let mut lost = [0_u32; 2];
         for (surface, ball) in (0_u32..).zip(&balls) {
             let pixels = || (0..full.colors.len()).filter(|&i| full.surface[i] == surface);
@@ -51,16 +62,15 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
                 surface.into(),
                 ball.radius.into(),
                 ball.shift.into(),
-                selection.key().into(),
+                key.into(),
                 right.into(),
                 seen.into(),
                 u32::from(highlight_lost).into(),
                 u32::from(ball_lost).into(),
             ]);
         }
-        findings.note("fig7", format!("highlights-lost/{}", selection.key()), Some(f64::from(lost[0])));
-        findings.note("fig7", format!("balls-lost/{}", selection.key()), Some(f64::from(lost[1])));
-        let name = if selection == Selection::Psrt { "PSRT" } else { "border" };
+        findings.note("fig7", format!("highlights-lost/{key}"), Some(f64::from(lost[0])));
+        findings.note("fig7", format!("balls-lost/{key}"), Some(f64::from(lost[1])));
         cells.push(shown(name, &picture.colors)?);
         cells.push(shown(&format!("{name}: difference"), &difference_map(&picture.colors, &full.colors))?);
         cells.push(shown(&format!("{name}: traced"), &picture.traced_map())?);
@@ -77,12 +87,13 @@ pub(super) fn fig7(lab: &Lab, _: &Subjects, findings: &mut Findings) -> Result<F
             "{} balls of 1.5 to 3.75 pixels' radius, lit from the eye, each inside a block of 16 pixels, \
              so between the points of PSRT; each pixel shown {MAGNIFIED} wide; differences from \
              full ray tracing: black 0, violet 1 level, then red to yellow. Border ray tracing loses {} highlights and \
-             {} balls, PSRT {} highlights and {} balls.",
+             {} balls, PSRT {} highlights and {} balls, certified {} highlights.",
             findings.show("balls", 0),
             findings.show("highlights-lost/border-deviation", 0),
             findings.show("balls-lost/border-deviation", 0),
             findings.show("highlights-lost/pixel-selected", 0),
             findings.show("balls-lost/pixel-selected", 0),
+            findings.show("highlights-lost/certified", 0),
         ),
         table: "fig7",
     })

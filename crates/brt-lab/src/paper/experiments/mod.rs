@@ -2,6 +2,7 @@
 //!
 //! Each measures, adds its tables and numbers to the findings, and draws its figures from them.
 
+mod bounds;
 mod checks;
 mod delta;
 mod equal_error;
@@ -44,7 +45,7 @@ pub(crate) struct Figure {
 type Experiment = fn(&Lab, &Subjects, &mut Findings) -> Result<Figure, PaperError>;
 
 /// All of them, in the order of the page.
-pub(crate) const ALL: [Experiment; 16] = [
+pub(crate) const ALL: [Experiment; 18] = [
     table1::table1,
     growth::fig1,
     growth::fig2,
@@ -60,6 +61,8 @@ pub(crate) const ALL: [Experiment; 16] = [
     first_hit::first_hit,
     families::families,
     kinds::kinds,
+    bounds::bounds,
+    bounds::certificates,
     checks::checks,
 ];
 
