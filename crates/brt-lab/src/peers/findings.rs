@@ -129,11 +129,11 @@ pub(super) mod tests {
     #[test]
     fn ratios_are_to_ours_of_the_same_class() {
         let findings = example();
-        // POV-Ray: 200 to 100 of `full` and 150 of `border`.
-        assert_eq!(findings.ratio(&findings.rows[2], "brt full"), Some(2.0));
-        assert_eq!(findings.ratio(&findings.rows[2], "brt border"), Some(200.0 / 150.0));
-        // Anti-aliased POV-Ray: 400 to 300.
-        assert_eq!(findings.ratio(&findings.rows[6], "brt full"), Some(400.0 / 300.0));
+        // POV-Ray: 250 to 100 of `full` and 200 of `certified`.
+        assert_eq!(findings.ratio(&findings.rows[3], "brt full"), Some(2.5));
+        assert_eq!(findings.ratio(&findings.rows[3], "brt certified"), Some(1.25));
+        // Anti-aliased POV-Ray: 500 to 350.
+        assert_eq!(findings.ratio(&findings.rows[8], "brt full"), Some(500.0 / 350.0));
         assert!((findings.spread().unwrap() - 0.2).abs() < 1e-12);
         assert_eq!(findings.tasks(), [("a,b", [32, 32])]);
     }
