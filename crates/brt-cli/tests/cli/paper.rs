@@ -6,7 +6,7 @@ use crate::bench::Bench;
 fn the_papers_page_of_an_own_scene_is_written_with_its_tables() {
     let bench = Bench::new();
     let ended = bench.done("paper --quick --sizes 16,32 --repeat 1 --scene ball.toml -o out");
-    assert!(ended.text().contains("P19  not yet built") && ended.text().contains("paper.html"));
+    assert!(ended.text().contains("P19  holds") && ended.text().contains("paper.html"));
     assert!(ended.errors.is_empty(), "no progress in a pipe: {}", ended.errors);
     for file in ["paper.html", "fig1.csv", "verdicts.csv", "numbers.csv"] {
         assert!(bench.path("out").join(file).exists(), "{file}");

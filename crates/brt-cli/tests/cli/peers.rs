@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use crate::bench::{Bench, Ended};
 
 const COLUMNS: &str = "scene,width,height,entrant,class,runs,start_up_ms,ns_per_pixel,ns_per_pixel_min,\
-                       ns_per_pixel_max,ratio_to_full,ratio_to_border,mean_error,percent_over_2";
+                       ns_per_pixel_max,ratio_to_full,ratio_to_certified,mean_error,percent_over_2";
 
 /// Runs with this folder as the only one where programs are looked for.
 fn run_with_path(bench: &Bench, path: &str, arguments: &str) -> Ended {
@@ -60,7 +60,7 @@ fn without_peers_ours_are_measured_and_it_is_said_how_to_get_them() {
         assert!(ended.errors.contains(part), "{part}: {}", ended.errors);
     }
     let rows = rows(&bench, "out");
-    assert_eq!(rows.len(), 4, "full and border in two classes: {rows:?}");
+    assert_eq!(rows.len(), 6, "ours in two classes: {rows:?}");
     assert!(rows.iter().all(|row| row.starts_with("ball,32,32,")));
 }
 

@@ -56,8 +56,7 @@ fn introduction(lab: &Lab, subjects: &Subjects) -> String {
 }
 
 fn verdict_section(verdicts: &[Verdict]) -> String {
-    let all =
-        [Outcome::Holds, Outcome::Partly, Outcome::DoesNotHold, Outcome::NotBuilt, Outcome::NotMeasured];
+    let all = [Outcome::Holds, Outcome::Partly, Outcome::DoesNotHold, Outcome::NotMeasured];
     let counts = all.iter().filter_map(|&outcome| {
         let count = verdicts.iter().filter(|v| v.outcome == outcome).count();
         (count > 0)
@@ -91,7 +90,7 @@ fn class(outcome: Outcome) -> &'static str {
         Outcome::Holds => "holds",
         Outcome::Partly => "partly",
         Outcome::DoesNotHold => "fails",
-        Outcome::NotBuilt | Outcome::NotMeasured => "open",
+        Outcome::NotMeasured => "open",
     }
 }
 

@@ -13,7 +13,6 @@ pub(crate) enum Outcome {
     Holds,
     Partly,
     DoesNotHold,
-    NotBuilt,
     /// What it needs was left out of this run.
     NotMeasured,
 }
@@ -24,7 +23,6 @@ impl Outcome {
             Self::Holds => "holds",
             Self::Partly => "partly",
             Self::DoesNotHold => "does not hold here",
-            Self::NotBuilt => "not yet built",
             Self::NotMeasured => "not measured in this run",
         }
     }
