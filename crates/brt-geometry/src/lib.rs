@@ -20,6 +20,7 @@ mod real;
 mod shaft;
 mod taylor;
 mod triangulate;
+mod trilean;
 mod vec3;
 
 pub use aabb::Aabb;
@@ -34,8 +35,9 @@ pub use ray::{Hit, Ray, Start};
 pub use ray_block::RayBlock;
 pub use real::{Exponent, Mask, Real};
 pub use shaft::Shaft;
-pub use taylor::{Taylor, Trilean};
+pub use taylor::Taylor;
 pub use triangulate::{is_convex, triangulate};
+pub use trilean::Trilean;
 pub use vec3::{Vec3, vec3};
 
 /// Directions closer than this (in radians) count as parallel: when a scene is checked, and of a ray along a flat

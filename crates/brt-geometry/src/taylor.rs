@@ -5,10 +5,10 @@
 //! sample of the block (Makino, Berz 2003; affine arithmetic: Comba, Stolfi 1993). Unknown results are `e = ∞` or
 //! NaN; comparisons with them are neither certainly true nor certainly false.
 
-use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::Vec3;
 use crate::real::{Mask, Real, power_by_squaring};
+use crate::{Trilean, Vec3};
 
 /// A first-order model over a block.
 #[derive(Clone, Copy, Debug)]
@@ -21,13 +21,6 @@ pub struct Taylor {
     pub v: f64,
     /// Greatest distance of the function from the linear part, ≥ 0.
     pub e: f64,
-}
-
-/// What is known of a comparison over a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Trilean {
-    possible: bool,
-    certain: bool,
 }
 
 /// Rounding of one operation relative to the magnitude of its terms: one unit more than IEEE 754 needs.
@@ -293,42 +286,5 @@ impl Real for Taylor {
         let (a, b) = (libm::pow(lo.max(0.0), exponent), libm::pow(hi.max(0.0), exponent));
         // libm's pow is monotone but for its last place.
         Self::enclosing([a * (1.0 - 4.0 * ROUNDING), b * (1.0 + 4.0 * ROUNDING)])
-    }
-}
-
-impl Mask for Trilean {
-    const TRUE: Self = Self { possible: true, certain: true };
-    const FALSE: Self = Self { possible: false, certain: false };
-    #[inline(always)]
-    fn any(self) -> bool {
-        self.possible
-    }
-    #[inline(always)]
-    fn all(self) -> bool {
-        self.certain
-    }
-}
-
-impl BitAnd for Trilean {
-    type Output = Self;
-    #[inline(always)]
-    fn bitand(self, o: Self) -> Self {
-        Self { possible: self.possible && o.possible, certain: self.certain && o.certain }
-    }
-}
-
-impl BitOr for Trilean {
-    type Output = Self;
-    #[inline(always)]
-    fn bitor(self, o: Self) -> Self {
-        Self { possible: self.possible || o.possible, certain: self.certain || o.certain }
-    }
-}
-
-impl Not for Trilean {
-    type Output = Self;
-    #[inline(always)]
-    fn not(self) -> Self {
-        Self { possible: !self.certain, certain: !self.possible }
     }
 }

@@ -9,6 +9,7 @@ mod guide;
 mod illumination;
 mod interaction;
 mod packet;
+mod packet_rays;
 mod patch;
 mod pencil;
 mod reference;

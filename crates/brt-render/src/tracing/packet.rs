@@ -9,23 +9,15 @@ use brt_image::{Rgb, rgb};
 use brt_scene::Axis;
 
 use super::MOST_RAYS_PER_SAMPLE;
-use super::guide::{Guide, Lighting, Sight};
+use super::guide::{Guide, Lighting};
 use super::illumination::{Directions, mirrored, reflected_light};
+use super::packet_rays::Rays;
 use super::search::{FROM_NOWHERE, Met, start};
 use super::tracer::Tracer;
 use crate::products::{NO_NORMALS, NOTHING, PreparedLight, PreparedMaterial, PreparedScene};
 
 /// Mirror rays beyond this depth are followed one by one.
 const MOST_LEVELS: usize = 8;
-
-/// Rays and what they meet; primitives as numbers, so that they are chosen lane by lane like all else.
-#[derive(Clone, Copy)]
-struct Rays {
-    ray: Ray<Lanes>,
-    primitive: Lanes,
-    t: Lanes,
-    lanes: LaneMask,
-}
 
 /// One primitive seen by some of the lanes.
 struct Seen<'a> {
@@ -137,60 +129,6 @@ impl Tracer<'_> {
             (color.r.0[lane], color.g.0[lane], color.b.0[lane]) = (r, g, b);
         }
         color
-    }
-
-    /// What rays meet that leave these primitives.
-    #[inline(always)]
-    fn met(&mut self, ray: Ray<Lanes>, from: &Lanes, lanes: LaneMask, sight: Sight) -> Rays {
-        let far = Lanes::constant(f64::INFINITY);
-        let mut rays = Rays { ray, primitive: Lanes::constant(f64::from(NOTHING)), t: far, lanes };
-        let known;
-        let list = match sight {
-            Sight::Met(NOTHING) => return rays,
-            Sight::Met(primitive) => {
-                known = [primitive];
-                &known
-            }
-            Sight::Among(list) => list,
-            Sight::Unknown => {
-                for lane in lanes.lanes() {
-                    let met = self.search.closest(&ray.lane(lane), from.0[lane] as u32);
-                    if let Some(met) = met {
-                        rays.primitive.0[lane] = f64::from(met.primitive);
-                        rays.t.0[lane] = met.t;
-                    }
-                }
-                return rays;
-            }
-        };
-        self.search.count_tests(list.len() as u64 * lanes.count());
-        for &id in list {
-            let (found, t) = self.hit(&ray, from, lanes, id);
-            // Lists are not sorted: of equally near ones that with the lower id counts.
-            let id = Lanes::constant(f64::from(id));
-            let is_nearer = t.lt(rays.t) | (t.equals(rays.t) & id.lt(rays.primitive));
-            let is_nearer = found & is_nearer;
-            rays.t = Lanes::select(is_nearer, t, rays.t);
-            rays.primitive = Lanes::select(is_nearer, id, rays.primitive);
-        }
-        rays
-    }
-
-    /// Where rays that leave these primitives meet another, or the same once more.
-    #[inline(always)]
-    fn hit(&self, ray: &Ray<Lanes>, from: &Lanes, lanes: LaneMask, id: u32) -> (LaneMask, Lanes) {
-        let primitive = &self.scene.primitives[id as usize];
-        let leaves = from.equals(Lanes::constant(f64::from(id)));
-        if !(lanes & leaves).any() {
-            let hit = primitive.first_hit(ray, start(id, FROM_NOWHERE));
-            return (hit.found, hit.t);
-        }
-        let again = primitive.first_hit(ray, start(id, id));
-        if !(lanes & !leaves).any() {
-            return (again.found, again.t);
-        }
-        let hit = primitive.first_hit(ray, start(id, FROM_NOWHERE));
-        ((leaves & again.found) | (!leaves & hit.found), Lanes::select(leaves, again.t, hit.t))
     }
 
     /// The colour of a surface without what mirrors add.
