@@ -60,9 +60,10 @@ fn a_mesh_of_100_000_triangles_is_written_and_read_fast() {
         positions: (0..SIDE * SIDE).map(point).collect(),
         normals: (0..SIDE * SIDE).map(|i| point(i) + vec3(0.0, 0.0, 2.0)).collect(),
         triangles: corner.flat_map(|i| [[i, i + 1, i + SIDE], [i + 1, i + SIDE + 1, i + SIDE]]).collect(),
+        ..Mesh::default()
     };
     assert!(mesh.triangles.len() > 99_000);
-    scene.objects.push(Object { name: None, shape: Shape::Mesh(mesh), material: MaterialId(0) });
+    scene.objects.push(Object::new(mesh.into(), MaterialId(0)));
     let start = Instant::now();
     let text = write_toml(&scene);
     let written = start.elapsed();
@@ -119,6 +120,15 @@ fn camera() -> impl Strategy<Value = Camera> {
 fn light() -> impl Strategy<Value = Light> {
     prop_oneof![
         (vector(), color()).prop_map(|(position, color)| Light::Point { position, color }),
+        (vector(), direction(), color(), 0.0..90.0, 90.0..=180.0).prop_map(
+            |(position, direction, color, inner_deg, outer_deg)| Light::Spot {
+                position,
+                direction,
+                color,
+                inner_deg,
+                outer_deg
+            }
+        ),
         (direction(), color()).prop_map(|(direction, color)| Light::Directional { direction, color }),
     ]
 }
@@ -132,8 +142,10 @@ fn material(name: String) -> impl Strategy<Value = Material> {
     let checker = (color(), positive(), axis).prop_map(|(color, size, axis)| Checker { color, size, axis });
     let highlight = prop_oneof![Just(Highlight::Phong), Just(Highlight::Blinn)];
     let factors = vec(positive(), 7);
-    (color(), option::of(checker), factors, highlight, any::<bool>()).prop_map(
-        move |(color, checker, f, highlight, casts_shadow)| Material {
+    (color(), option::of(checker), factors, highlight, any::<bool>(), color(), 0.0..=1.0).prop_map(
+        move |(color, checker, f, highlight, casts_shadow, emission, opacity)| Material {
+            emission,
+            opacity,
             name: name.clone(),
             color: rgb(-color.r, color.g, color.b),
             checker,
@@ -159,14 +171,17 @@ fn polygon() -> impl Strategy<Value = Shape> {
 }
 
 fn mesh() -> impl Strategy<Value = Shape> {
-    (vec((vector(), direction()), 1..12), any::<bool>()).prop_flat_map(|(points, smooth)| {
-        let index = 0..points.len() as u32;
-        vec([index.clone(), index.clone(), index], 0..12).prop_map(move |triangles| {
-            let positions = points.iter().map(|(p, _)| *p).collect();
-            let normals = if smooth { points.iter().map(|(_, n)| *n).collect() } else { Vec::new() };
-            Shape::Mesh(Mesh { positions, normals, triangles })
-        })
-    })
+    (vec((vector(), direction(), color()), 1..12), any::<bool>(), any::<bool>()).prop_flat_map(
+        |(points, smooth, colored)| {
+            let index = 0..points.len() as u32;
+            vec([index.clone(), index.clone(), index], 0..12).prop_map(move |triangles| {
+                let positions = points.iter().map(|(p, ..)| *p).collect();
+                let normals = if smooth { points.iter().map(|(_, n, _)| *n).collect() } else { Vec::new() };
+                let colors = if colored { points.iter().map(|(.., c)| *c).collect() } else { Vec::new() };
+                Shape::from(Mesh { positions, normals, colors, triangles })
+            })
+        },
+    )
 }
 
 fn shape() -> impl Strategy<Value = Shape> {
@@ -210,8 +225,10 @@ fn scene() -> impl Strategy<Value = Scene> {
     (camera(), size, color(), 0_u32..=1000, vec(light(), 0..4), materials, objects).prop_map(
         |(camera, size, background, max_depth, lights, materials, objects)| {
             let id = |i: prop::sample::Index| MaterialId(i.index(materials.len()) as u32);
-            let objects =
-                objects.into_iter().map(|(name, shape, i)| Object { name, shape, material: id(i) }).collect();
+            let objects = objects
+                .into_iter()
+                .map(|(name, shape, i)| Object { name, ..Object::new(shape, id(i)) })
+                .collect();
             Scene { camera, size, background, max_depth, lights, materials, objects }
         },
     )

@@ -7,6 +7,7 @@
 //! root at its origin instead of an epsilon.
 
 mod aabb;
+mod affine;
 mod bvh;
 mod extents;
 mod grid;
@@ -24,6 +25,7 @@ mod trilean;
 mod vec3;
 
 pub use aabb::Aabb;
+pub use affine::Affine;
 pub use bvh::{Bvh, Traversal};
 pub use extents::Extents;
 pub use grid::Grid;

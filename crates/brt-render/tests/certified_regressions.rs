@@ -91,7 +91,7 @@ fn mirrors_with_smooth_normals_are_left_to_rays() {
     ];
     let normals = positions.iter().map(|&p| p - vec3(0.0, 0.3, 0.0)).collect();
     let triangles = vec![[3, 2, 4], [2, 1, 4], [1, 0, 4], [0, 3, 4]];
-    scene.add(Shape::Mesh(Mesh { positions, normals, triangles }), mirror);
+    scene.add(Shape::from(Mesh { positions, normals, triangles, ..Mesh::default() }), mirror);
     let picture = certified(&scene);
     assert_eq!(above(&picture), 0);
     assert!(picture.stats.certificates[Certificate::Surface].failed > 0);

@@ -45,9 +45,9 @@ impl Hand {
             _ => {
                 let corners = [center, center + random.point(1.0), center + random.point(1.0)];
                 let mesh =
-                    Mesh { positions: corners.to_vec(), normals: Vec::new(), triangles: vec![[0, 1, 2]] };
+                    Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
                 if let Some(triangle) = Triangle::new(corners) {
-                    self.add(Shape::Mesh(mesh), Primitive::Triangle(triangle));
+                    self.add(Shape::from(mesh), Primitive::Triangle(triangle));
                 }
             }
         }
@@ -143,9 +143,9 @@ fn edges_and_equal_depths_through_the_middles_of_samples_are_decided_as_by_rays(
     let depth = -f64::from(SIDE);
     let mut add = |corners: [[f64; 2]; 3], z: f64| {
         let corners = corners.map(|[x, y]| vec3(x, y, z));
-        let mesh = Mesh { positions: corners.to_vec(), normals: Vec::new(), triangles: vec![[0, 1, 2]] };
+        let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
         let triangle = Triangle::new(corners).unwrap();
-        hand.add(Shape::Mesh(mesh), Primitive::Triangle(triangle));
+        hand.add(Shape::from(mesh), Primitive::Triangle(triangle));
     };
     for cell in 0..9 {
         let [x, y] = [cell % 3, cell / 3].map(|i| f64::from(20 * i - 31));
@@ -158,8 +158,8 @@ fn edges_and_equal_depths_through_the_middles_of_samples_are_decided_as_by_rays(
     // One that cuts through them along a column of samples.
     let corners =
         [vec3(1.0, -90.0, 0.0), vec3(1.0, 90.0, 0.0), vec3(0.0, 0.0, 2.0)].map(|c| c + vec3(0.0, 0.0, depth));
-    let mesh = Mesh { positions: corners.to_vec(), normals: Vec::new(), triangles: vec![[0, 1, 2]] };
-    hand.add(Shape::Mesh(mesh), Primitive::Triangle(Triangle::new(corners).unwrap()));
+    let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
+    hand.add(Shape::from(mesh), Primitive::Triangle(Triangle::new(corners).unwrap()));
     // And a ball that touches the plane in the middle of a sample.
     hand.add_sphere(vec3(-11.0, -11.0, depth - 4.0), 4.0);
     hand.assert_image_is_right([SIDE, SIDE], "edges through samples");

@@ -21,7 +21,7 @@ fn the_eye_on_a_corner_of_what_is_behind_it_sees_what_rays_see() {
         scene.background = rgb(0.5, 0.5, 0.5);
         let dark = scene.add_material(Material::matte("m", rgb(0.0, 0.0, 0.0)));
         let positions = vec![eye, eye + vec3(0.3, 0.9, 0.2), eye + vec3(-0.4, 0.8, 0.1)];
-        scene.add(Shape::Mesh(Mesh { positions, normals: Vec::new(), triangles: vec![[0, 1, 2]] }), dark);
+        scene.add(Shape::from(Mesh { positions, triangles: vec![[0, 1, 2]], ..Mesh::default() }), dark);
         let full = rendered(&scene, Method::Full, [8, 8]);
         let border = Method::Border(BorderSettings { block: 1, ..BorderSettings::default() });
         seen_by_rays_only += usize::from(differing(&full, &rendered(&scene, border, [8, 8])) > 0);

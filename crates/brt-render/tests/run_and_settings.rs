@@ -182,11 +182,7 @@ fn the_perspective_image_is_made_without_rays_and_spares_the_first_search() {
     let mut crowded = scene.clone();
     (0..20).for_each(|i| {
         let center = brt_geometry::vec3(f64::from(i), 0.0, -3.0);
-        crowded.objects.push(brt_scene::Object {
-            name: None,
-            shape: Shape::Sphere { center, radius: 0.4 },
-            material: scene.objects[0].material,
-        });
+        crowded.add(Shape::Sphere { center, radius: 0.4 }, scene.objects[0].material);
     });
     let full = render_with_layers(&crowded, &settings, &Run::default()).stats;
     assert!(full.nodes_visited >= full.pixels.total, "{full:?}");

@@ -1,9 +1,13 @@
 //! Is a scene fit to be rendered? Answers with places, which importers turn into positions in the file.
 
-use brt_geometry::{Vec3, polygon_plane};
+use brt_geometry::{Affine, Vec3, polygon_plane};
 use thiserror::Error;
 
-use crate::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
+use crate::{Camera, Light, Material, Object, Projection, Scene, Shape};
+
+mod mesh;
+
+use mesh::check_mesh;
 
 /// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
 pub(crate) const GREATEST_COORDINATE: f64 = 1e30;
@@ -77,7 +81,7 @@ impl Scene {
                     fault("there is no such material", "a material of the scene"),
                 );
             }
-            check_shape(&object.shape, &mut |field, f| found(Place::Object(i, field), f));
+            check_object(object, &mut |field, f| found(Place::Object(i, field), f));
         }
         problems
     }
@@ -124,6 +128,12 @@ fn check_light(light: &Light, found: Found) {
             check_point("position", *position, found);
             color
         }
+        Light::Spot { position, direction, color, inner_deg, outer_deg } => {
+            check_point("position", *position, found);
+            check_direction("direction", *direction, found);
+            check_cone(*inner_deg, *outer_deg, found);
+            color
+        }
         Light::Directional { direction, color } => {
             check_direction("direction", *direction, found);
             color
@@ -131,6 +141,33 @@ fn check_light(light: &Light, found: Found) {
     };
     if !color.is_finite() || color.r < 0.0 || color.g < 0.0 || color.b < 0.0 {
         found("color", fault("a channel is negative or not finite", "three finite numbers of at least 0"));
+    }
+}
+
+fn check_cone(inner_deg: f64, outer_deg: f64, found: Found) {
+    if !(outer_deg > 0.0 && outer_deg <= 180.0) {
+        found("outer_deg", fault(format!("the cone's angle is {outer_deg}°"), "an angle above 0, up to 180"));
+    } else if !(inner_deg >= 0.0 && inner_deg < outer_deg) {
+        let message = format!("the strength falls from {inner_deg}° on, the cone ends at {outer_deg}°");
+        found("inner_deg", fault(message, "an angle from 0, below `outer_deg`"));
+    }
+}
+
+fn check_object(object: &Object, found: Found) {
+    check_shape(&object.shape, found);
+    let map = &object.transform;
+    let Shape::Mesh(mesh) = &object.shape else {
+        if *map != Affine::IDENTITY {
+            found("transform", fault("only meshes are transformed", "no `transform`"));
+        }
+        return;
+    };
+    if !map.is_finite() {
+        found("transform", fault("a number is not finite", FINITE));
+    } else if map.determinant() == 0.0 {
+        found("transform", fault("the transform leaves nothing of a volume", "three rows that differ"));
+    } else if mesh.positions.iter().any(|&p| in_range(p) && !in_range(map.point(p))) {
+        found("transform", fault("a transformed coordinate is too large", FINITE));
     }
 }
 
@@ -151,6 +188,12 @@ fn check_material(m: &Material, found: Found) {
     check_length("index_of_refraction", m.index_of_refraction, found);
     if !m.color.is_finite() {
         found("color", fault("a channel is not a finite number", "three finite numbers"));
+    }
+    if !m.emission.is_finite() {
+        found("emission", fault("a channel is not a finite number", "three finite numbers"));
+    }
+    if !(0.0..=1.0).contains(&m.opacity) {
+        found("opacity", fault(format!("`opacity` is {}", m.opacity), "a number from 0 to 1"));
     }
     if let Some(checker) = &m.checker {
         check_length("checker", checker.size, found);
@@ -229,24 +272,6 @@ fn check_polygon(outline: &[Vec3], holes: &[Vec<Vec3>], found: Found) {
             let message = format!("a point is {distance:.3} of the polygon's size off its plane");
             found(field, fault(message, "points in one plane"));
         }
-    }
-}
-
-fn check_mesh(mesh: &Mesh, found: Found) {
-    if mesh.positions.iter().any(|p| !in_range(*p)) {
-        found("positions", fault("a coordinate is not finite or too large", FINITE));
-    }
-    if !mesh.normals.is_empty() && mesh.normals.len() != mesh.positions.len() {
-        let message = format!("{} normals for {} positions", mesh.normals.len(), mesh.positions.len());
-        found("normals", fault(message, "a normal per position, or none"));
-    }
-    if let Some(i) = mesh.normals.iter().position(|n| n.try_normalize().is_none()) {
-        found("normals", fault(format!("normal {i} has no direction"), "three finite numbers, not all 0"));
-    }
-    let count = mesh.positions.len() as u64;
-    if let Some(t) = mesh.triangles.iter().find(|t| t.iter().any(|&i| u64::from(i) >= count)) {
-        let message = format!("triangle {t:?} names a point beyond the last, {count} points are given");
-        found("triangles", fault(message, "indices from 0 below the number of positions"));
     }
 }
 

@@ -74,14 +74,11 @@ impl Scene {
 
     /// Adds an object without a name.
     pub fn add(&mut self, shape: Shape, material: MaterialId) {
-        self.objects.push(Object { name: None, shape, material });
+        self.objects.push(Object::new(shape, material));
     }
 
     /// Smallest box around all bounded objects; `None` where there is none.
     pub fn bounds(&self) -> Option<[Vec3; 2]> {
-        self.objects
-            .iter()
-            .filter_map(|object| object.shape.bounds())
-            .reduce(|[lo, hi], [l, h]| [lo.min(l), hi.max(h)])
+        self.objects.iter().filter_map(Object::bounds).reduce(|[lo, hi], [l, h]| [lo.min(l), hi.max(h)])
     }
 }

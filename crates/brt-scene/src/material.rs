@@ -1,8 +1,9 @@
 //! How a surface answers light: Whitted's model (1980).
 //!
-//! Seen colour = `color·ambient + Σ light·(color·diffuse·(n·l) + specular·highlight) + reflection·(mirror ray) +
-//! transmission·(refracted ray)`, the sum over lights that are in front of the surface and not hidden. Both faces
-//! of a surface are seen. The mirror ray is not tinted. All factors are without unit, usually in [0, 1].
+//! Seen colour = `emission + color·ambient + Σ light·(color·diffuse·(n·l) + specular·highlight) +
+//! reflection·(mirror ray) + transmission·(refracted ray)`, the sum over lights that are in front of the surface and not
+//! hidden. Of that `opacity` is seen, and `1 - opacity` of what lies straight behind. Both faces of a surface are seen.
+//! The mirror ray is not tinted. All factors are without unit, usually in [0, 1].
 
 use brt_image::Rgb;
 
@@ -13,6 +14,11 @@ pub struct Material {
     pub name: String,
     /// Colour of the body, linear RGB.
     pub color: Rgb,
+    /// Light of its own, linear RGB, added to all that is reflected. It lights nothing else.
+    pub emission: Rgb,
+    /// Share of the surface that is there, in [0, 1]: the rest shows what lies behind, in a straight line, and lets as
+    /// much light through, neither tinted.
+    pub opacity: f64,
     /// Second colour in a chequered pattern.
     pub checker: Option<Checker>,
     /// Share of the colour seen without any light, ≥ 0.
@@ -41,6 +47,8 @@ impl Material {
         Self {
             name: name.into(),
             color,
+            emission: Rgb::BLACK,
+            opacity: 1.0,
             checker: None,
             ambient: 0.1,
             diffuse: 0.8,

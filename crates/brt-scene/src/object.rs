@@ -1,6 +1,9 @@
 //! What stands in a scene.
 
-use brt_geometry::Vec3;
+use std::sync::Arc;
+
+use brt_geometry::{Affine, Vec3};
+use brt_image::Rgb;
 
 use crate::MaterialId;
 
@@ -13,6 +16,25 @@ pub struct Object {
     pub shape: Shape,
     /// What it is made of.
     pub material: MaterialId,
+    /// Where the shape's own space lies in the scene. Only meshes have a space of their own.
+    pub transform: Affine,
+}
+
+impl Object {
+    /// A shape where it stands, without a name.
+    pub fn new(shape: Shape, material: MaterialId) -> Self {
+        Self { name: None, shape, material, transform: Affine::IDENTITY }
+    }
+
+    /// Corners of a box around it (not always the smallest); `None` for a plane and for an empty mesh.
+    pub fn bounds(&self) -> Option<[Vec3; 2]> {
+        match &self.shape {
+            Shape::Mesh(mesh) if self.transform != Affine::IDENTITY => {
+                hull_of(mesh.positions.iter().map(|&p| self.transform.point(p)))
+            }
+            shape => shape.bounds(),
+        }
+    }
 }
 
 /// The shapes that can be traced exactly. Lengths in scene units.
@@ -72,8 +94,8 @@ pub enum Shape {
         /// Closed by discs at ends with a radius?
         capped: bool,
     },
-    /// Triangles that share points.
-    Mesh(Mesh),
+    /// Triangles that share points. Objects may share a mesh.
+    Mesh(Arc<Mesh>),
 }
 
 /// A triangle mesh.
@@ -86,8 +108,17 @@ pub struct Mesh {
     pub positions: Vec<Vec3>,
     /// A shading normal per point (any length but 0), or empty for flat facets.
     pub normals: Vec<Vec3>,
+    /// A colour per point, linear RGB, that the material's colour is multiplied with; interpolated over triangles.
+    /// Empty: none.
+    pub colors: Vec<Rgb>,
     /// Three indices a triangle, counter-clockwise seen from its front.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl From<Mesh> for Shape {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(Arc::new(mesh))
+    }
 }
 
 impl Shape {
@@ -114,7 +145,7 @@ impl Shape {
         match self {
             Self::Sphere { center, radius } => Some(around(*center, *radius)),
             Self::Plane { .. } => None,
-            Self::Polygon { outline, .. } => hull_of(outline),
+            Self::Polygon { outline, .. } => hull_of(outline.iter().copied()),
             Self::Disc { center, radius, .. } => Some(around(*center, *radius)),
             Self::Cylinder { base, top, radius, .. } => {
                 Some(hull(around(*base, *radius), around(*top, *radius)))
@@ -122,13 +153,13 @@ impl Shape {
             Self::Cone { base, base_radius, top, top_radius, .. } => {
                 Some(hull(around(*base, *base_radius), around(*top, *top_radius)))
             }
-            Self::Mesh(mesh) => hull_of(&mesh.positions),
+            Self::Mesh(mesh) => hull_of(mesh.positions.iter().copied()),
         }
     }
 }
 
-fn hull_of(points: &[Vec3]) -> Option<[Vec3; 2]> {
+fn hull_of(points: impl Iterator<Item = Vec3>) -> Option<[Vec3; 2]> {
     let nothing = [Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY)];
-    let [lo, hi] = points.iter().fold(nothing, |[lo, hi], &p| [lo.min(p), hi.max(p)]);
+    let [lo, hi] = points.fold(nothing, |[lo, hi], p| [lo.min(p), hi.max(p)]);
     (lo.x <= hi.x).then_some([lo, hi])
 }

@@ -1,5 +1,7 @@
 //! Whole scenes, scaled and moved.
 
+use std::sync::Arc;
+
 use brt_geometry::Vec3;
 use brt_scene::{Light, Projection, Scene, Shape};
 
@@ -27,7 +29,7 @@ fn moved(scene: &Scene, point: impl Fn(Vec3) -> Vec3, length: &dyn Fn(f64) -> f6
         *extent = length(*extent);
     }
     for light in &mut scene.lights {
-        if let Light::Point { position, .. } = light {
+        if let Light::Point { position, .. } | Light::Spot { position, .. } = light {
             *position = point(*position);
         }
     }
@@ -56,7 +58,7 @@ fn move_shape(shape: &mut Shape, point: impl Fn(Vec3) -> Vec3, length: &dyn Fn(f
             (*base, *top) = (point(*base), point(*top));
             (*base_radius, *top_radius) = (length(*base_radius), length(*top_radius));
         }
-        Shape::Mesh(mesh) => mesh.positions.iter_mut().for_each(|p| *p = point(*p)),
+        Shape::Mesh(mesh) => Arc::make_mut(mesh).positions.iter_mut().for_each(|p| *p = point(*p)),
     }
 }
 

@@ -101,8 +101,8 @@ fn add_meshes(scene: &mut Scene) {
     let flat = octahedron(vec3(-2.6, 0.5, 2.4), 0.5);
     let mut smooth = octahedron(vec3(1.7, 0.45, 3.0), 0.45);
     smooth.normals = smooth.positions.iter().map(|&p| p - vec3(1.7, 0.45, 3.0)).collect();
-    scene.add(Shape::Mesh(flat), yellow);
-    scene.add(Shape::Mesh(smooth), yellow);
+    scene.add(Shape::from(flat), yellow);
+    scene.add(Shape::from(smooth), yellow);
 }
 
 fn octahedron(center: Vec3, radius: f64) -> Mesh {
@@ -110,7 +110,7 @@ fn octahedron(center: Vec3, radius: f64) -> Mesh {
     let positions = offsets.map(|o| center + Vec3::from(o.map(f64::from)) * radius).to_vec();
     let triangles =
         vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
-    Mesh { positions, normals: Vec::new(), triangles }
+    Mesh { positions, triangles, ..Mesh::default() }
 }
 
 #[cfg(test)]

@@ -47,6 +47,7 @@ struct Inspection {
 #[serde(tag = "type", rename_all = "kebab-case")]
 enum LightJson {
     Point { position: [f64; 3], color: [f64; 3] },
+    Spot { position: [f64; 3], direction: [f64; 3], color: [f64; 3], inner_deg: f64, outer_deg: f64 },
     Directional { direction: [f64; 3], color: [f64; 3] },
 }
 
@@ -136,6 +137,13 @@ impl LightJson {
             Light::Point { position, color } => {
                 Self::Point { position: triple(*position), color: (*color).into() }
             }
+            Light::Spot { position, direction, color, inner_deg, outer_deg } => Self::Spot {
+                position: triple(*position),
+                direction: triple(*direction),
+                color: (*color).into(),
+                inner_deg: *inner_deg,
+                outer_deg: *outer_deg,
+            },
             Light::Directional { direction, color } => {
                 Self::Directional { direction: triple(*direction), color: (*color).into() }
             }
@@ -147,6 +155,12 @@ impl LightJson {
             Self::Point { position, color } => {
                 format!("point at {}, color {}", spaced(*position), spaced(*color))
             }
+            Self::Spot { position, direction, color, outer_deg, .. } => format!(
+                "spot at {}, direction {}, color {}, up to {outer_deg}°",
+                spaced(*position),
+                spaced(*direction),
+                spaced(*color)
+            ),
             Self::Directional { direction, color } => {
                 format!("directional along {}, color {}", spaced(*direction), spaced(*color))
             }

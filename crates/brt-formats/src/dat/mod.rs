@@ -121,6 +121,17 @@ impl Writer {
             Light::Point { position, color: c } => {
                 self.line(format_args!("LIGHT CENTER {} RAD 0.001 COLOR {}", vector(*position), color(*c)));
             }
+            Light::Spot { position, direction, color: c, inner_deg, outer_deg } => {
+                self.losses.note("Tachyon's cones of light fall off differently");
+                self.line(format_args!(
+                    "SPOTLIGHT CENTER {} RAD 0.001 COLOR {} DIRECTION {} FALLOFF_START {} FALLOFF_END {}",
+                    vector(*position),
+                    color(*c),
+                    vector(*direction),
+                    number(*inner_deg),
+                    number(*outer_deg),
+                ));
+            }
             Light::Directional { direction, color: c } => self.line(format_args!(
                 "DIRECTIONAL_LIGHT DIRECTION {} COLOR {}",
                 vector(*direction),

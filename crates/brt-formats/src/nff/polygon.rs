@@ -32,7 +32,7 @@ pub(super) fn polygon_shape(mut points: Vec<Vec3>) -> Polygon {
     if triangles.is_empty() {
         return Polygon::Nothing("a bent polygon that cannot be cut into triangles");
     }
-    Polygon::Bent(Mesh { positions: points, normals: Vec::new(), triangles })
+    Polygon::Bent(Mesh { positions: points, triangles, ..Mesh::default() })
 }
 
 /// Cuts the polygon's shadow on its mean plane, which for concave outlines is more than a fan.

@@ -244,7 +244,7 @@ impl<'b> Reader<'b> {
                 let message = "the polygon's points are not in one plane: cut into triangles";
                 self.problems.push(Diagnostic::warning(message, Some(span.clone())));
                 self.counter.objects(mesh.triangles.len())?;
-                self.add(Shape::Mesh(mesh), span)
+                self.add(mesh.into(), span)
             }
             Polygon::Nothing(why) => {
                 self.left_out(why, span);
@@ -276,7 +276,7 @@ impl<'b> Reader<'b> {
             && !patches.mesh.triangles.is_empty()
         {
             let span = patches.start..patches.start + 2;
-            self.put(Shape::Mesh(patches.mesh), span);
+            self.put(patches.mesh.into(), span);
         }
     }
 
@@ -297,7 +297,7 @@ impl<'b> Reader<'b> {
 
     fn put(&mut self, shape: Shape, span: Range<usize>) {
         let material = self.fills.current(&span, &mut self.problems);
-        self.objects.push(Object { name: None, shape, material });
+        self.objects.push(Object::new(shape, material));
         self.spans.push(span);
     }
 

@@ -87,6 +87,17 @@ impl Writer {
             Light::Point { position, color: c } => {
                 self.line(format_args!("light_source {{ {} color rgb {} }}", vector(*position), color(*c)));
             }
+            Light::Spot { position, direction, color: c, inner_deg, outer_deg } => {
+                self.losses.note("POV-Ray's cones of light end at 90°, and fall off a little differently");
+                self.line(format_args!(
+                    "light_source {{ {} color rgb {} spotlight point_at {} radius {} falloff {} }}",
+                    vector(*position),
+                    color(*c),
+                    vector(*position + direction.try_normalize().unwrap_or_default()),
+                    number(inner_deg.min(89.0)),
+                    number(outer_deg.min(90.0)),
+                ));
+            }
             Light::Directional { direction, color: c } => {
                 let [lo, hi] = scene.bounds().unwrap_or([scene.camera.eye; 2]);
                 let middle = (lo + hi) * 0.5;

@@ -18,6 +18,8 @@ const KNOWN: &[&str] = &[
     "transmission",
     "index_of_refraction",
     "casts_shadow",
+    "emission",
+    "opacity",
     "checker",
 ];
 
@@ -39,6 +41,8 @@ pub(super) fn read_material(name: &str, value: &Value, problems: &mut Problems) 
     let transmission = fields.or("transmission", matte.transmission, number);
     let index_of_refraction = fields.or("index_of_refraction", matte.index_of_refraction, number);
     let casts_shadow = fields.or("casts_shadow", matte.casts_shadow, boolean);
+    let emission = fields.or("emission", matte.emission, color);
+    let opacity = fields.or("opacity", matte.opacity, number);
     let checker = match fields.value("checker") {
         Some(value) => read_checker(value, fields.problems).map(Some),
         None => Some(None),
@@ -55,6 +59,8 @@ pub(super) fn read_material(name: &str, value: &Value, problems: &mut Problems) 
         transmission: transmission?,
         index_of_refraction: index_of_refraction?,
         casts_shadow: casts_shadow?,
+        emission: emission?,
+        opacity: opacity?,
         ..matte
     })
 }

@@ -4,11 +4,14 @@
 //! the `toml` crate (80 levels).
 
 mod fields;
+mod light;
 mod material;
+mod mesh;
 mod scene;
 mod shape;
 mod value;
 mod write;
+mod write_mesh;
 
 use brt_scene::{Diagnostic, Report, Scene};
 use toml::de::DeTable;

@@ -2,21 +2,27 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
-use brt_geometry::vec3;
+use brt_geometry::{Affine, vec3};
 use brt_image::Rgb;
-use brt_scene::{Camera, Diagnostic, Light, Material, MaterialId, Object, Place, Projection, Scene, Shape};
+use brt_scene::{Camera, Diagnostic, Material, MaterialId, Object, Place, Projection, Scene, Shape};
 use toml::de::{DeTable, DeValue};
 
 use super::fields::{Fields, did_you_mean};
+use super::light::read_light;
 use super::material::read_material;
+use super::mesh::{Meshes, read_meshes};
 use super::shape::read_shape;
-use super::value::{Value, color, error, excerpt, mismatch, number, one_of, size, text, vector, whole};
+use super::value::{
+    Value, color, error, excerpt, matrix, mismatch, number, one_of, size, text, vector, whole,
+};
 use crate::LimitExceeded;
 use crate::limits::Counter;
 use crate::problems::Problems;
 
-const KNOWN: &[&str] = &["size", "max_depth", "background", "camera", "light", "materials", "object"];
+const KNOWN: &[&str] =
+    &["size", "max_depth", "background", "camera", "light", "materials", "meshes", "object"];
 
 /// A scene whose parts remember the values that they were read from.
 pub(super) struct Read<'v, 'a> {
@@ -68,7 +74,8 @@ pub(super) fn read_scene<'v, 'a>(
     let mut read = Read { scene, root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
     read_lights(&mut read, problems);
     let names = read_materials(&mut read, problems);
-    read_objects(&mut read, &names, counter, problems)?;
+    let meshes = read_meshes(read.root, counter, problems)?;
+    read_objects(&mut read, &names, &meshes, counter, problems)?;
     Ok(read)
 }
 
@@ -120,24 +127,6 @@ fn read_lights(read: &mut Read, problems: &mut Problems) {
     }
 }
 
-fn read_light(value: &Value, problems: &mut Problems) -> Option<Light> {
-    let mut fields = Fields::of_value(value, "the light", problems)?;
-    let is_point = fields.required("type", |v| one_of(v, &[("point", true), ("directional", false)]))?;
-    if is_point {
-        fields.now_called("the point light");
-        fields.only(&[&["type", "position", "color"]]);
-        let position = fields.required("position", vector);
-        let color = fields.required("color", color);
-        Some(Light::Point { position: position?, color: color? })
-    } else {
-        fields.now_called("the directional light");
-        fields.only(&[&["type", "direction", "color"]]);
-        let direction = fields.required("direction", vector);
-        let color = fields.required("color", color);
-        Some(Light::Directional { direction: direction?, color: color? })
-    }
-}
-
 /// Materials in the file's order; one with errors leaves a stand-in, so that objects may name it.
 fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashMap<&'v str, MaterialId> {
     let Some(value) = read.root.get("materials") else {
@@ -164,6 +153,7 @@ fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashM
 fn read_objects(
     read: &mut Read,
     names: &HashMap<&str, MaterialId>,
+    meshes: &Meshes,
     counter: &mut Counter,
     problems: &mut Problems,
 ) -> Result<(), LimitExceeded> {
@@ -171,7 +161,7 @@ fn read_objects(
         if problems.is_full() {
             break;
         }
-        if let Some(object) = read_object(value, names, problems) {
+        if let Some(object) = read_object(value, names, meshes, problems) {
             count(&object.shape, counter)?;
             read.scene.objects.push(object);
             read.objects.push(value);
@@ -180,12 +170,19 @@ fn read_objects(
     Ok(())
 }
 
-fn read_object(value: &Value, names: &HashMap<&str, MaterialId>, problems: &mut Problems) -> Option<Object> {
+fn read_object(
+    value: &Value,
+    names: &HashMap<&str, MaterialId>,
+    meshes: &Meshes,
+    problems: &mut Problems,
+) -> Option<Object> {
     let mut fields = Fields::of_value(value, "the object", problems)?;
-    let shape = read_shape(&mut fields);
+    let shape = read_shape(&mut fields, meshes);
     let material = fields.required("material", |value| material_named(value, names));
     let name = fields.or("name", None, |value| text(value).map(Some));
-    Some(Object { name: name?, shape: shape?, material: material? })
+    let rows = fields.or("transform", None, |value| matrix(value).map(Some));
+    let transform = rows?.map_or(Affine::IDENTITY, Affine::from_rows);
+    Some(Object { name: name?, shape: shape?, material: material?, transform })
 }
 
 fn material_named(value: &Value, names: &HashMap<&str, MaterialId>) -> Result<MaterialId, Diagnostic> {
@@ -208,7 +205,8 @@ fn material_named(value: &Value, names: &HashMap<&str, MaterialId>) -> Result<Ma
 fn count(shape: &Shape, counter: &mut Counter) -> Result<(), LimitExceeded> {
     match shape {
         Shape::Mesh(mesh) => {
-            counter.points(mesh.positions.len())?;
+            // The points of a shared mesh were counted where it stands, those of one object's own are counted here.
+            counter.points(if Arc::strong_count(mesh) == 1 { mesh.positions.len() } else { 0 })?;
             counter.objects(mesh.triangles.len().max(1))
         }
         Shape::Polygon { outline, holes } => {

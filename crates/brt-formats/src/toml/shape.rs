@@ -1,9 +1,10 @@
 //! The shapes of `[[object]]`.
 
-use brt_scene::{Mesh, Shape};
+use brt_scene::Shape;
 
 use super::fields::Fields;
-use super::value::{boolean, loops, number, one_of, triangles, vector, vectors};
+use super::mesh::{MESH_FIELDS, Meshes, mesh_of};
+use super::value::{boolean, loops, number, one_of, vector, vectors};
 
 /// Fields that every object has.
 const COMMON: &[&str] = &["type", "material", "name"];
@@ -30,11 +31,12 @@ const KINDS: [(&str, Kind); 7] = [
 ];
 
 /// Reads the shape that the field `type` names.
-pub(super) fn read_shape(fields: &mut Fields) -> Option<Shape> {
+pub(super) fn read_shape(fields: &mut Fields, meshes: &Meshes) -> Option<Shape> {
     let kind = fields.required("type", |value| one_of(value, &KINDS))?;
     let (what, known) = describe(kind);
     fields.now_called(what);
-    fields.only(&[COMMON, known]);
+    let is_mesh = matches!(kind, Kind::Mesh);
+    fields.only(&[COMMON, known, if is_mesh { &["transform", "mesh"] } else { &[] }]);
     match kind {
         Kind::Sphere => sphere(fields),
         Kind::Plane => plane(fields),
@@ -42,7 +44,7 @@ pub(super) fn read_shape(fields: &mut Fields) -> Option<Shape> {
         Kind::Disc => disc(fields),
         Kind::Cylinder => cylinder(fields),
         Kind::Cone => cone(fields),
-        Kind::Mesh => mesh(fields),
+        Kind::Mesh => mesh_of(fields, meshes).map(Shape::Mesh),
     }
 }
 
@@ -55,7 +57,7 @@ fn describe(kind: Kind) -> (&'static str, &'static [&'static str]) {
         Kind::Disc => ("the disc", &["center", "normal", "radius"]),
         Kind::Cylinder => ("the cylinder", &["base", "top", "radius", "capped"]),
         Kind::Cone => ("the cone", &["base", "base_radius", "top", "top_radius", "capped"]),
-        Kind::Mesh => ("the mesh", &["positions", "normals", "triangles"]),
+        Kind::Mesh => ("the mesh", MESH_FIELDS),
     }
 }
 
@@ -107,11 +109,4 @@ fn cone(fields: &mut Fields) -> Option<Shape> {
         top_radius: top_radius?,
         capped: capped?,
     })
-}
-
-fn mesh(fields: &mut Fields) -> Option<Shape> {
-    let positions = fields.required("positions", vectors);
-    let normals = fields.or("normals", Vec::new(), vectors);
-    let triangles = fields.required("triangles", triangles);
-    Some(Shape::Mesh(Mesh { positions: positions?, normals: normals?, triangles: triangles? }))
 }

@@ -60,6 +60,29 @@ pub(super) fn vectors(value: &Value) -> Result<Vec<Vec3>, Diagnostic> {
     list(value, "a list of points, [[x, y, z], ...]")?.iter().map(vector).collect()
 }
 
+/// Linear RGB colours.
+pub(super) fn colors(value: &Value) -> Result<Vec<Rgb>, Diagnostic> {
+    list(value, "a list of colours, [[r, g, b], ...]")?.iter().map(color).collect()
+}
+
+/// Three rows of four numbers.
+pub(super) fn matrix(value: &Value) -> Result<[[f64; 4]; 3], Diagnostic> {
+    three(value, |row| numbers(row, "a row of four numbers"), "three rows of four numbers")
+}
+
+/// So many numbers.
+pub(super) fn numbers<const N: usize>(value: &Value, expected: &str) -> Result<[f64; N], Diagnostic> {
+    let items = list(value, expected)?;
+    if items.len() != N {
+        return Err(error(format!("found a list of {}", items.len()), value, expected));
+    }
+    let mut numbers = [0.0; N];
+    for (slot, item) in numbers.iter_mut().zip(items) {
+        *slot = number(item)?;
+    }
+    Ok(numbers)
+}
+
 /// Loops of points.
 pub(super) fn loops(value: &Value) -> Result<Vec<Vec<Vec3>>, Diagnostic> {
     list(value, "a list of loops, [[[x, y, z], ...], ...]")?.iter().map(vectors).collect()

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 
 use brt_geometry::Vec3;
 use brt_image::Rgb;
-use brt_scene::{Axis, Camera, Highlight, Light, Material, Mesh, Object, Projection, Scene, Shape};
+use brt_scene::{Axis, Camera, Highlight, Light, Material, Object, Projection, Scene, Shape};
 
+use super::write_mesh::SharedMeshes;
 use crate::numerals::{joined, number};
 
 /// The scene as text in our own format.
@@ -14,7 +15,7 @@ use crate::numerals::{joined, number};
 /// For every scene whose check finds nothing, reading the text gives an equal scene; only materials that share
 /// their name with an earlier one are renamed.
 pub fn write_toml(scene: &Scene) -> String {
-    let mut out = Writer(String::new());
+    let mut out = Writer { text: String::new() };
     if let Some([width, height]) = scene.size {
         out.field("size", &format!("[{width}, {height}]"));
     }
@@ -28,25 +29,29 @@ pub fn write_toml(scene: &Scene) -> String {
     for (material, name) in scene.materials.iter().zip(&names) {
         out.material(material, name);
     }
+    let meshes = SharedMeshes::write(scene, &mut out);
     for object in &scene.objects {
         let material = names.get(object.material.0 as usize).map_or("", String::as_str);
-        out.object(object, material);
+        out.object(object, material, &meshes);
     }
-    out.0
+    out.text
 }
 
-struct Writer(String);
+/// The text under construction.
+pub(super) struct Writer {
+    pub(super) text: String,
+}
 
 impl Writer {
-    fn header(&mut self, header: &str) {
-        self.0.push('\n');
-        self.0.push_str(header);
-        self.0.push('\n');
+    pub(super) fn header(&mut self, header: &str) {
+        self.text.push('\n');
+        self.text.push_str(header);
+        self.text.push('\n');
     }
 
-    fn field(&mut self, key: &str, value: &str) {
+    pub(super) fn field(&mut self, key: &str, value: &str) {
         for part in [key, " = ", value, "\n"] {
-            self.0.push_str(part);
+            self.text.push_str(part);
         }
     }
 
@@ -71,6 +76,14 @@ impl Writer {
                 self.field("type", "\"point\"");
                 self.field("position", &vector(*position));
                 self.field("color", &color(*c));
+            }
+            Light::Spot { position, direction, color: c, inner_deg, outer_deg } => {
+                self.field("type", "\"spot\"");
+                self.field("position", &vector(*position));
+                self.field("direction", &vector(*direction));
+                self.field("color", &color(*c));
+                self.field("inner_deg", &number(*inner_deg));
+                self.field("outer_deg", &number(*outer_deg));
             }
             Light::Directional { direction, color: c } => {
                 self.field("type", "\"directional\"");
@@ -107,16 +120,25 @@ impl Writer {
         self.field("transmission", &number(material.transmission));
         self.field("index_of_refraction", &number(material.index_of_refraction));
         self.field("casts_shadow", &material.casts_shadow.to_string());
+        if material.emission != Rgb::BLACK {
+            self.field("emission", &color(material.emission));
+        }
+        if material.opacity != 1.0 {
+            self.field("opacity", &number(material.opacity));
+        }
     }
 
-    fn object(&mut self, object: &Object, material: &str) {
+    fn object(&mut self, object: &Object, material: &str, meshes: &SharedMeshes) {
         self.header("[[object]]");
         self.field("type", &quoted(object.shape.kind()));
         if let Some(name) = &object.name {
             self.field("name", &quoted(name));
         }
         self.field("material", &quoted(material));
-        self.shape(&object.shape);
+        match &object.shape {
+            Shape::Mesh(mesh) => meshes.object(object, mesh, self),
+            shape => self.shape(shape),
+        }
     }
 
     fn shape(&mut self, shape: &Shape) {
@@ -148,57 +170,46 @@ impl Writer {
                 self.field("top_radius", &number(*top_radius));
                 self.field("capped", &capped.to_string());
             }
-            Shape::Mesh(mesh) => self.mesh(mesh),
+            // Written with what objects share.
+            Shape::Mesh(_) => {}
         }
     }
 
     fn polygon(&mut self, outline: &[Vec3], holes: &[Vec<Vec3>]) {
-        self.0.push_str("outline = ");
+        self.text.push_str("outline = ");
         self.list(outline, |out, p| push_vector(out, *p));
-        self.0.push('\n');
+        self.text.push('\n');
         if !holes.is_empty() {
-            self.0.push_str("holes = [\n");
+            self.text.push_str("holes = [\n");
             for hole in holes {
                 self.list(hole, |out, p| push_vector(out, *p));
-                self.0.push_str(",\n");
+                self.text.push_str(",\n");
             }
-            self.0.push_str("]\n");
+            self.text.push_str("]\n");
         }
-    }
-
-    fn mesh(&mut self, mesh: &Mesh) {
-        self.0.push_str("positions = ");
-        self.list(&mesh.positions, |out, p| push_vector(out, *p));
-        if !mesh.normals.is_empty() {
-            self.0.push_str("\nnormals = ");
-            self.list(&mesh.normals, |out, n| push_vector(out, *n));
-        }
-        self.0.push_str("\ntriangles = ");
-        self.list(&mesh.triangles, |out, [a, b, c]| push(out, format_args!("[{a}, {b}, {c}]")));
-        self.0.push('\n');
     }
 
     /// A list on one line where it is short, else several items a line.
-    fn list<T>(&mut self, items: &[T], item: impl Fn(&mut String, &T)) {
+    pub(super) fn list<T>(&mut self, items: &[T], item: impl Fn(&mut String, &T)) {
         const A_LINE: usize = 5;
         let long = items.len() > A_LINE;
-        self.0.push('[');
+        self.text.push('[');
         for (i, value) in items.iter().enumerate() {
             if long && i % A_LINE == 0 {
-                self.0.push_str("\n    ");
+                self.text.push_str("\n    ");
             }
-            item(&mut self.0, value);
+            item(&mut self.text, value);
             if long && i % A_LINE == A_LINE - 1 {
-                self.0.push(',');
+                self.text.push(',');
             } else if long || i + 1 < items.len() {
-                self.0.push_str(", ");
+                self.text.push_str(", ");
             }
         }
         if long {
-            self.0.truncate(self.0.trim_end().len());
-            self.0.push('\n');
+            self.text.truncate(self.text.trim_end().len());
+            self.text.push('\n');
         }
-        self.0.push(']');
+        self.text.push(']');
     }
 }
 
@@ -218,12 +229,12 @@ fn unique_names(materials: &[Material]) -> Vec<String> {
     materials.iter().map(&mut unique).collect()
 }
 
-fn push(out: &mut String, text: std::fmt::Arguments) {
+pub(super) fn push(out: &mut String, text: std::fmt::Arguments) {
     // Writing to a text cannot fail.
     let _ = out.write_fmt(text);
 }
 
-fn push_vector(out: &mut String, v: Vec3) {
+pub(super) fn push_vector(out: &mut String, v: Vec3) {
     push(out, format_args!("[{}]", joined(v, ", ")));
 }
 
@@ -233,7 +244,7 @@ fn vector(v: Vec3) -> String {
     out
 }
 
-fn color(c: Rgb) -> String {
+pub(super) fn color(c: Rgb) -> String {
     vector(<[f64; 3]>::from(c).into())
 }
 

@@ -9,7 +9,7 @@ pub use camera::PreparedCamera;
 use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
 use brt_scene::{Light, Material, Scene};
 
-use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene};
 use crate::settings::Accelerator;
 use flatten::Flattened;
 
@@ -54,7 +54,14 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
 
 fn prepare_light(light: &Light) -> PreparedLight {
     match light {
-        Light::Point { position, color } => PreparedLight::Point { position: *position, color: *color },
+        Light::Point { position, color } => {
+            PreparedLight::Point { position: *position, color: *color, beam: None }
+        }
+        Light::Spot { position, direction, color, inner_deg, outer_deg } => PreparedLight::Point {
+            position: *position,
+            color: *color,
+            beam: Some(Beam::new(*direction, *inner_deg, *outer_deg)),
+        },
         Light::Directional { direction, color } => PreparedLight::Directional {
             towards: -direction.try_normalize().unwrap_or_default(),
             color: *color,

@@ -61,8 +61,27 @@ pub(crate) struct PrimitiveInfo {
 /// A light with its direction normalised.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum PreparedLight {
-    Point { position: Vec3, color: Rgb },
-    Directional { towards: Vec3, color: Rgb },
+    /// A point, with a beam if it does not shine in all directions.
+    Point {
+        position: Vec3,
+        color: Rgb,
+        beam: Option<Beam>,
+    },
+    Directional {
+        towards: Vec3,
+        color: Rgb,
+    },
+}
+
+/// The cone that a point shines in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beam {
+    /// Unit vector away from the light.
+    pub(crate) axis: Vec3,
+    /// Cosine of the angle to the axis where the light ends.
+    pub(crate) outer: f64,
+    /// One over the difference of the cosines where the strength begins to fall and where it ends.
+    pub(crate) steepness: f64,
 }
 
 /// A material without its name; fields as in [`brt_scene::Material`].

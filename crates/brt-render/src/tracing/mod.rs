@@ -15,6 +15,7 @@ mod pencil;
 mod reference;
 mod search;
 mod shadow_space;
+mod source;
 mod tracer;
 
 pub(crate) use bounding_spheres::BoundingSpheres;

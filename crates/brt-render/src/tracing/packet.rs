@@ -14,7 +14,7 @@ use super::illumination::{Directions, mirrored, reflected_light};
 use super::packet_rays::Rays;
 use super::search::{FROM_NOWHERE, Met, start};
 use super::tracer::Tracer;
-use crate::products::{NO_NORMALS, NOTHING, PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{NO_NORMALS, NOTHING, PreparedMaterial, PreparedScene};
 
 /// Mirror rays beyond this depth are followed one by one.
 const MOST_LEVELS: usize = 8;
@@ -141,10 +141,7 @@ impl Tracer<'_> {
             if lighting == Lighting::Hidden {
                 continue;
             }
-            let (towards, t_max, source) = match light {
-                PreparedLight::Point { position, color } => (position.lift() - seen.point, 1.0, *color),
-                PreparedLight::Directional { towards, color } => (towards.lift(), f64::INFINITY, *color),
-            };
+            let (towards, t_max) = light.way_from(seen.point);
             let faces = seen.lanes & !seen.normal.dot(towards).le(Lanes::constant(0.0));
             let lit = self.unhidden(seen, faces, &towards, t_max, lighting);
             if !lit.any() {
@@ -152,7 +149,8 @@ impl Tracer<'_> {
             }
             let directions =
                 Directions { normal: seen.normal, light: towards.normalize(), viewer: seen.viewer };
-            let arriving = reflected_light(seen.material, seen.body, lift(source), &directions);
+            let arriving =
+                reflected_light(seen.material, seen.body, light.source(directions.light), &directions);
             color = select(lit, color + arriving, color);
         }
         color

@@ -22,7 +22,6 @@ pub(crate) struct LightWays {
     pub(crate) towards: Vec3<Taylor>,
     /// Nothing beyond this distance (in units of `towards`) hides the light.
     pub(crate) t_max: f64,
-    source: Rgb,
 }
 
 impl<'a> Patch<'a> {
@@ -48,14 +47,8 @@ impl<'a> Patch<'a> {
     }
 
     pub(crate) fn ways_to(&self, light: &PreparedLight) -> LightWays {
-        match light {
-            PreparedLight::Point { position, color } => {
-                LightWays { towards: position.lift() - self.point, t_max: 1.0, source: *color }
-            }
-            PreparedLight::Directional { towards, color } => {
-                LightWays { towards: towards.lift(), t_max: f64::INFINITY, source: *color }
-            }
-        }
+        let (towards, t_max) = light.way_from(self.point);
+        LightWays { towards, t_max }
     }
 
     /// Does the surface face the light: certainly, certainly not, or neither?
@@ -69,10 +62,10 @@ impl<'a> Patch<'a> {
     }
 
     /// Light that arrives along these ways, where the surface faces it and nothing hides it.
-    pub(crate) fn reflected(&self, body: Rgb, ways: &LightWays) -> Rgb<Taylor> {
+    pub(crate) fn reflected(&self, body: Rgb, light: &PreparedLight, ways: &LightWays) -> Rgb<Taylor> {
         let directions =
             Directions { normal: self.normal, light: ways.towards.normalize(), viewer: self.viewer };
-        reflected_light(self.material, constant(body), constant(ways.source), &directions)
+        reflected_light(self.material, constant(body), light.source(directions.light), &directions)
     }
 }
 

@@ -56,7 +56,7 @@ impl PencilTracer<'_> {
         for light in &self.scene.lights {
             let ways = patch.ways_to(light);
             if patch.faces(&ways)? && !self.is_hidden(light, &patch, ways.towards, ways.t_max)? {
-                color = color + patch.reflected(material.color, &ways);
+                color = color + patch.reflected(material.color, light, &ways);
             }
         }
         if material.reflection == 0.0 || left == 0 {

@@ -1,6 +1,6 @@
 //! The oracle: Whitted's recursion (1980) as plainly as it can be written. Never optimised.
 
-use brt_geometry::{Ray, Vec3};
+use brt_geometry::Ray;
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
@@ -51,10 +51,7 @@ fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, r
 }
 
 fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction, from: u32) -> Rgb {
-    let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
-        PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
-        PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
-    };
+    let (towards, t_max) = light.way_from(here.point);
     if here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0 {
         return Rgb::BLACK;
     }
@@ -63,7 +60,7 @@ fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction, 
         return Rgb::BLACK;
     }
     let directions = Directions { normal: here.normal, light: towards.normalize(), viewer: here.viewer };
-    reflected_light(here.material, here.body, source, &directions)
+    reflected_light(here.material, here.body, light.source(directions.light), &directions)
 }
 
 fn nearest(

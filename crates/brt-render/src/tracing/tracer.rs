@@ -156,10 +156,7 @@ impl<'a> Tracer<'a> {
 
     #[inline]
     fn light_from(&mut self, light: &PreparedLight, here: &Interaction, lighting: Lighting) -> Rgb {
-        let (towards, t_max, source): (Vec3, f64, Rgb) = match light {
-            PreparedLight::Point { position, color } => (*position - here.point, 1.0, *color),
-            PreparedLight::Directional { towards, color } => (*towards, f64::INFINITY, *color),
-        };
+        let (towards, t_max) = light.way_from(here.point);
         // A light behind the surface counts as hidden by the surface itself.
         let is_behind = here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0;
         let hidden_by = if is_behind {
@@ -174,7 +171,7 @@ impl<'a> Tracer<'a> {
         }
         self.history.push(Step::Lit);
         let directions = Directions { normal: here.normal, light: towards.normalize(), viewer: here.viewer };
-        reflected_light(here.material, here.body, source, &directions)
+        reflected_light(here.material, here.body, light.source(directions.light), &directions)
     }
 
     /// The surface between a point and a light; [`NOTHING`] stands for any if histories do not ask which.

@@ -41,7 +41,7 @@ fn build(triangles: u32, material: Material) -> Scene {
     let floor = scene.add_material(Material::matte("floor", rgb(0.5, 0.52, 0.5)));
     let torus = scene.add_material(material);
     scene.add(Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: 0.0 }, floor);
-    scene.add(Shape::Mesh(mesh(triangles)), torus);
+    scene.add(Shape::from(mesh(triangles)), torus);
     scene
 }
 

@@ -32,7 +32,7 @@ pub fn any_scene(most_objects: usize) -> impl Strategy<Value = AnyScene> {
         .prop_map(|(objects, materials, lights, view, background, max_depth)| {
             let objects = objects
                 .into_iter()
-                .map(|(shape, material)| Object { name: None, shape, material: MaterialId(material) })
+                .map(|(shape, material)| Object::new(shape, MaterialId(material)))
                 .collect();
             let mut scene = Scene {
                 background,

@@ -98,7 +98,7 @@ fn height_field() -> impl Strategy<Value = Shape> {
             };
             let mut triangles: Vec<[u32; 3]> = (0..cells * cells).flat_map(cell).collect();
             triangles.push([0, 1, 0]);
-            Shape::Mesh(Mesh { positions, normals, triangles })
+            Shape::from(Mesh { positions, normals, triangles, ..Mesh::default() })
         },
     )
 }
@@ -107,10 +107,11 @@ fn height_field() -> impl Strategy<Value = Shape> {
 fn tetrahedron() -> impl Strategy<Value = Shape> {
     (point(2.5), prop::array::uniform3(0.2..2.0)).prop_map(|(corner, [x, y, z])| {
         let offsets = [[0.0; 3], [x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
-        Shape::Mesh(Mesh {
+        Shape::from(Mesh {
             positions: offsets.map(|o| corner + Vec3::from(o)).to_vec(),
             normals: Vec::new(),
             triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+            ..Mesh::default()
         })
     })
 }

@@ -108,7 +108,7 @@ impl<'a> Follower<'a> {
                 }
             }
             if matches!(known, KnownLighting::Seen) && way.failed.is_none() && way.is_bounded {
-                color = color + patch.reflected(body, &ways);
+                color = color + patch.reflected(body, light, &ways);
             }
         }
         color

@@ -42,7 +42,7 @@ impl Workshop {
             |r: f64, z: f64| arc(r).into_iter().map(|p| center + p + vec3(0.0, 0.0, z)).collect::<Vec<_>>();
         let rings = [ring(radius, low), ring(radius, high - bevel), ring(radius - bevel, high)];
         for (below, above) in [(&rings[0], &rings[1]), (&rings[1], &rings[2])] {
-            self.scene.add(Shape::Mesh(band(below, above, center)), body);
+            self.scene.add(Shape::from(band(below, above, center)), body);
         }
         let [bottom, middle, top] = [&rings[0], &rings[1], &rings[2]].map(|r| [r[r.len() - 1], r[0]]);
         let chord = vec![bottom[0], bottom[1], middle[1], top[1], top[0], middle[0]];

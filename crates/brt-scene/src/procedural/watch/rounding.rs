@@ -1,5 +1,7 @@
 //! Coordinates rounded to hundredths of a micrometre: a scene file of half the size and no visible difference.
 
+use std::sync::Arc;
+
 use brt_geometry::{Vec3, vec3};
 
 use crate::{Scene, Shape};
@@ -38,6 +40,7 @@ fn round_shape(shape: &mut Shape) {
             length(top_radius);
         }
         Shape::Mesh(mesh) => {
+            let mesh = Arc::make_mut(mesh);
             mesh.positions.iter_mut().for_each(point);
             mesh.normals.iter_mut().for_each(point);
         }

@@ -83,7 +83,7 @@ impl Workshop {
             };
             self.scene.add(rim, gold);
         }
-        self.scene.add(Shape::Mesh(lens(center, axis, radius, self.segments)), self.metals.glass);
+        self.scene.add(Shape::from(lens(center, axis, radius, self.segments)), self.metals.glass);
     }
 
     /// A spare wheel, screws and jewels that lie on the mirror.

@@ -135,7 +135,7 @@ impl Workshop {
                 mesh.triangles.extend([[a, d, c], [a, c, b]]);
             }
         }
-        self.scene.add(Shape::Mesh(mesh), body);
+        self.scene.add(Shape::from(mesh), body);
         for &(center, _) in [path.first(), path.last()].into_iter().flatten() {
             self.scene.add(Shape::Sphere { center, radius }, body);
         }
@@ -159,7 +159,7 @@ fn wall(lower: &Outline, low: f64, upper: &Outline, high: f64) -> Shape {
         let [a, b, c, d] = [2 * i, 2 * next, 2 * next + 1, 2 * i + 1];
         mesh.triangles.extend([[a, b, c], [a, c, d]]);
     }
-    Shape::Mesh(mesh)
+    mesh.into()
 }
 
 /// The part of a convex face where `p·across` is at least `from`.

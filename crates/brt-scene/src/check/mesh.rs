@@ -1,0 +1,29 @@
+//! Is a mesh fit to be rendered?
+
+use super::{FINITE, Found, fault, in_range};
+use crate::Mesh;
+
+pub(super) fn check_mesh(mesh: &Mesh, found: Found) {
+    if mesh.positions.iter().any(|p| !in_range(*p)) {
+        found("positions", fault("a coordinate is not finite or too large", FINITE));
+    }
+    if !mesh.normals.is_empty() && mesh.normals.len() != mesh.positions.len() {
+        let message = format!("{} normals for {} positions", mesh.normals.len(), mesh.positions.len());
+        found("normals", fault(message, "a normal per position, or none"));
+    }
+    if !mesh.colors.is_empty() && mesh.colors.len() != mesh.positions.len() {
+        let message = format!("{} colours for {} positions", mesh.colors.len(), mesh.positions.len());
+        found("colors", fault(message, "a colour per position, or none"));
+    }
+    if mesh.colors.iter().any(|c| !c.is_finite()) {
+        found("colors", fault("a channel is not a finite number", "three finite numbers"));
+    }
+    if let Some(i) = mesh.normals.iter().position(|n| n.try_normalize().is_none()) {
+        found("normals", fault(format!("normal {i} has no direction"), "three finite numbers, not all 0"));
+    }
+    let count = mesh.positions.len() as u64;
+    if let Some(t) = mesh.triangles.iter().find(|t| t.iter().any(|&i| u64::from(i) >= count)) {
+        let message = format!("triangle {t:?} names a point beyond the last, {count} points are given");
+        found("triangles", fault(message, "indices from 0 below the number of positions"));
+    }
+}
