@@ -13,6 +13,18 @@ pub struct Run<'a> {
     pub cancel: Option<&'a AtomicBool>,
     /// In which order tiles of a band are begun; for tests that it does not matter.
     pub order: TileOrder,
+    /// How `full` follows rays.
+    pub rays: RayOrder,
+}
+
+/// How full ray tracing follows rays, unless ray histories are wanted as a layer, which need single ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RayOrder {
+    /// Those of up to 64 samples together, level by level.
+    #[default]
+    Bundled,
+    /// One after the other, as the paper's methods do that are compared with it.
+    Single,
 }
 
 /// In which order the tiles of a band are begun.

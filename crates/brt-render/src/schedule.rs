@@ -85,8 +85,9 @@ impl<'a> Schedule<'a> {
             return None;
         }
         let spare = self.idle.lock().ok().and_then(|mut idle| idle.pop());
-        let (mut worker, mut painter) = spare
-            .unwrap_or_else(|| (TileWorker::new(self.job), Painter::new(self.job.scene, self.job.camera)));
+        let (mut worker, mut painter) = spare.unwrap_or_else(|| {
+            (TileWorker::new(self.job, self.run.rays), Painter::new(self.job.scene, self.job.camera))
+        });
         let mine = outlines.map_or(&[][..], |o| o.tile(column));
         let picture = render_tile(self.job, &mut worker, &mut painter, tile, mine);
         let counted = worker.tracer.take_counters();

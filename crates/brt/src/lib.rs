@@ -67,8 +67,8 @@ pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, 
 pub use brt_render::{
     Accelerator, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
     DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
-    PixelSelectedSettings, Progress, RayHistory, Regions, RenderError, Rows, Run, SampleState, Samples,
-    Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
+    PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run, SampleState,
+    Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

@@ -1,16 +1,49 @@
 //! Standard ray tracing: every sample.
 
+use std::ops::Range;
+
 use super::worker::{First, TileWorker};
 use crate::products::{PreparedScene, SampleState, StageClock, Tile};
-use crate::tracing::reference_sample;
+use crate::run::RayOrder;
+use crate::tracing::{MOST_RAYS, Sight, Unguided, color_at, reference_sample};
 
 /// Traces all samples of a tile.
 pub(crate) fn render_full(worker: &mut TileWorker, tile: &Tile) {
     let mut clock = StageClock::start();
-    for y in 0..tile.height {
-        trace_row(worker, tile, y);
+    match worker.rays {
+        RayOrder::Single => (0..tile.height).for_each(|y| trace_row(worker, tile, y)),
+        RayOrder::Bundled => trace_squares(worker, tile),
     }
     worker.lap(&mut clock, |c| &mut c.seconds.trace);
+}
+
+/// Samples are traced together in squares of this side.
+const SIDE: u32 = 8;
+
+fn trace_squares(worker: &mut TileWorker, tile: &Tile) {
+    for y in (0..tile.height).step_by(SIDE as usize) {
+        let rows = y..(y + SIDE).min(tile.height);
+        for x in (0..tile.width).step_by(SIDE as usize) {
+            trace_together(worker, tile, x..(x + SIDE).min(tile.width), rows.clone());
+        }
+    }
+}
+
+/// Traces a small rectangle of samples.
+fn trace_together(worker: &mut TileWorker, tile: &Tile, columns: Range<u32>, rows: Range<u32>) {
+    let (mut x, mut y, mut count) = ([0; MOST_RAYS], [0; MOST_RAYS], 0);
+    for row in rows {
+        for column in columns.clone() {
+            (x[count], y[count]) = (column, row);
+            count += 1;
+        }
+    }
+    let colors = worker.trace_samples(tile, &x[..count], &y[..count], Sight::Unknown, Unguided);
+    for i in 0..count {
+        let index = tile.index(x[i], y[i]);
+        worker.samples.color[index] = color_at(&colors, i).to_f32();
+        worker.samples.state[index] = SampleState::Traced;
+    }
 }
 
 /// Traces all samples in a row of a tile.

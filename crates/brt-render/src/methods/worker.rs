@@ -1,11 +1,14 @@
 //! What every method works with on a tile: samples that are traced at most once.
 
+use brt_geometry::{LANES, LaneRays, Lanes, Ray, SimdLevel};
+
 use crate::picture::Layer;
 use crate::prepare::PreparedCamera;
 use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock, Tile, TileSamples};
 use crate::render::Job;
+use crate::run::RayOrder;
 use crate::settings::Settings;
-use crate::tracing::{Guide, Sight, Tracer, Unguided};
+use crate::tracing::{Bundle, Colors, Guide, Sight, Tracer, Unguided};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -17,6 +20,8 @@ pub(crate) struct TileWorker<'a> {
     pub(crate) wants_histories: bool,
     /// Is it to be shown which certificates failed?
     pub(crate) wants_causes: bool,
+    /// How all samples are traced where no method chooses.
+    pub(crate) rays: RayOrder,
 }
 
 /// Where a first hit comes from.
@@ -38,15 +43,17 @@ impl<'a> TileWorker<'a> {
         }
     }
 
-    pub(crate) fn new(job: &Job<'a>) -> Self {
+    pub(crate) fn new(job: &Job<'a>, rays: RayOrder) -> Self {
         let Settings { history, layers, .. } = job.settings;
+        let wants_histories = layers.contains(&Layer::History);
         Self {
             tracer: Tracer::new(job.scene, *history, job.max_depth),
             camera: job.camera,
             samples: TileSamples::default(),
             perspective: PerspectiveImage::default(),
-            wants_histories: layers.contains(&Layer::History),
+            wants_histories,
             wants_causes: layers.contains(&Layer::Certificates),
+            rays: if wants_histories { RayOrder::Single } else { rays },
         }
     }
 
@@ -72,6 +79,34 @@ impl<'a> TileWorker<'a> {
         self.samples.color[index] = traced.color.to_f32();
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;
+    }
+
+    /// The colours of up to [`MOST_RAYS`](crate::tracing::MOST_RAYS) samples, by column and row of the tile, traced
+    /// together.
+    pub(super) fn trace_samples(
+        &mut self,
+        tile: &Tile,
+        x: &[u32],
+        y: &[u32],
+        first: Sight,
+        guide: impl Guide,
+    ) -> Colors {
+        let camera = self.camera;
+        let place = |of: &[u32], start: u32, packet: usize| {
+            let last = of.len() - 1;
+            Lanes::from_fn(|lane| f64::from(start + of[(packet * LANES + lane).min(last)]))
+        };
+        let bundle = Bundle::new(x.len(), |packet| {
+            let (x, y) = (place(x, tile.x, packet), place(y, tile.y, packet));
+            SimdLevel::default().run(
+                #[inline(always)]
+                || {
+                    let Ray { origin, direction, .. } = camera.ray(x, y);
+                    LaneRays { origin, direction }
+                },
+            )
+        });
+        self.tracer.trace_bundle(&bundle, first, guide)
     }
 
     /// Traces a sample for nothing but its history. Its rays are not counted.

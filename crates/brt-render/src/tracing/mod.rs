@@ -4,12 +4,11 @@
 //! primitives' predicates, [`interaction`] and [`illumination`], and give the same bits.
 
 mod bounding_spheres;
+mod bundle;
 mod first_seen;
 mod guide;
 mod illumination;
 mod interaction;
-mod packet;
-mod packet_rays;
 mod patch;
 mod pencil;
 mod reference;
@@ -18,6 +17,7 @@ mod shadow_space;
 mod tracer;
 
 pub(crate) use bounding_spheres::BoundingSpheres;
+pub(crate) use bundle::{Bundle, Colors, MOST_RAYS, color_at};
 /// No sample follows more mirror and refracted rays: between glass walls their number doubles at every bounce. Those
 /// beyond it end like those at the depth limit.
 const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;

@@ -4,10 +4,10 @@ use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
+use super::bundle::Lookup;
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
-use super::packet::Levels;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
@@ -26,7 +26,7 @@ pub(crate) struct Tracer<'a> {
     pub(super) search: Search<'a>,
     history_kind: HistoryKind,
     pub(super) max_depth: u32,
-    pub(super) levels: Levels,
+    pub(super) lookup: Lookup,
     history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
     pub(super) rays_left: u32,
@@ -42,7 +42,7 @@ impl<'a> Tracer<'a> {
             search,
             history_kind,
             max_depth,
-            levels: Levels::default(),
+            lookup: Lookup::default(),
             history,
             rays_left: 0,
             counters,

@@ -1,12 +1,13 @@
 //! Giving the samples of a block their colours.
 
-use brt_geometry::{LANES, LaneMask, Lanes, SimdLevel, Taylor};
+use brt_geometry::Taylor;
 use brt_image::Rgb;
 
 use super::known_history::KnownHistory;
 use super::regions::Region;
 use super::{Certified, Parts};
 use crate::products::{Area, Certificate, SampleState};
+use crate::tracing::{MOST_RAYS, Sight, color_at};
 
 /// The state of samples that are not filled, and why they are not.
 type Reason = (SampleState, Certificate);
@@ -27,7 +28,7 @@ impl Certified<'_, '_> {
         let mut batch = Batch::default();
         self.for_each_sample(area, parts, history.first(), |this, x, y| {
             batch.add(x, y);
-            if batch.count == LANES {
+            if batch.count == MOST_RAYS {
                 this.trace_batch(&batch, history, reason);
                 batch.count = 0;
             }
@@ -38,7 +39,7 @@ impl Certified<'_, '_> {
         self.lap(|seconds| &mut seconds.trace);
     }
 
-    /// Traces up to eight samples in lanes.
+    /// Traces samples together.
     fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, (state, failed): Reason) {
         let guide = history.guide(&self.follower.candidates.lists);
         let worker = &mut *self.worker;
@@ -46,18 +47,12 @@ impl Certified<'_, '_> {
         if worker.wants_histories {
             (0..batch.count).for_each(|i| worker.note_history_of(tile, batch.x[i], batch.y[i]));
         }
-        let color = SimdLevel::default().run(
-            #[inline(always)]
-            || {
-                let x = Lanes::from_fn(|i| f64::from(tile.x + batch.x[i]));
-                let y = Lanes::from_fn(|i| f64::from(tile.y + batch.y[i]));
-                let ray = worker.camera.ray(x, y);
-                worker.tracer.trace_packet(&ray, LaneMask::first(batch.count), first, guide)
-            },
-        );
+        let first = Sight::Met(first);
+        let colors =
+            worker.trace_samples(tile, &batch.x[..batch.count], &batch.y[..batch.count], first, guide);
         for i in 0..batch.count {
             let index = tile.index(batch.x[i], batch.y[i]);
-            worker.samples.color[index] = [color.r.0[i] as f32, color.g.0[i] as f32, color.b.0[i] as f32];
+            worker.samples.color[index] = color_at(&colors, i).to_f32();
             worker.samples.state[index] = state;
             if let Some(cause) = worker.samples.cause.get_mut(index) {
                 *cause = Some(failed);
@@ -142,12 +137,17 @@ impl Certified<'_, '_> {
     }
 }
 
-/// Samples to be traced together, by column and row of the tile. Lanes without a sample repeat an old one.
-#[derive(Default)]
+/// Samples to be traced together, by column and row of the tile.
 struct Batch {
-    x: [u32; LANES],
-    y: [u32; LANES],
+    x: [u32; MOST_RAYS],
+    y: [u32; MOST_RAYS],
     count: usize,
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        Self { x: [0; MOST_RAYS], y: [0; MOST_RAYS], count: 0 }
+    }
 }
 
 impl Batch {
