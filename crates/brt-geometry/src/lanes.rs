@@ -131,7 +131,7 @@ impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
+        Self(from_fn(|i| -self.0[i]))
     }
 }
 
@@ -176,7 +176,7 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(self.0.map(f64::sqrt))
+        Self(from_fn(|i| self.0[i].sqrt()))
     }
     #[inline(always)]
     fn min(self, o: Self) -> Self {
@@ -237,6 +237,6 @@ impl Not for LaneMask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        Self(self.0.map(|lane| !lane))
+        Self(from_fn(|i| !self.0[i]))
     }
 }

@@ -1,7 +1,7 @@
 //! The shaft of rays that are given one by one, eight in lanes.
 
 use crate::shaft::Shaft;
-use crate::{COORDINATE_ROUNDING, LANES, LaneMask, Lanes, Real, Vec3, vec3};
+use crate::{COORDINATE_ROUNDING, LANES, Lanes, Real, Vec3, vec3};
 
 /// Eight rays: where they start and where they go.
 #[derive(Clone, Copy, Debug)]
@@ -12,126 +12,120 @@ pub struct LaneRays {
     pub direction: Vec3<Lanes>,
 }
 
+/// No more eights of rays than this.
+const MOST: usize = 8;
+
 impl Shaft {
-    /// The shaft of the first `count` rays, up to distance `end` (in units of their directions), which may be infinite.
+    /// The shaft of up to 64 rays, up to distance `end` (in units of their directions), which may be infinite.
     ///
     /// `None` where the rays have no direction in common.
     #[inline(always)]
-    pub fn around_rays(rays: &[LaneRays], count: usize, end: f64) -> Option<Self> {
-        let axis = axis_of(rays, count)?;
-        let sides = sides_of(axis, rays, count);
-        let spread = Spread::of(rays, count, axis, sides)?;
-        let mut shaft = Self::empty();
-        for (side, [least, greatest]) in sides.into_iter().zip(spread.slopes) {
-            shaft.bound(side - axis * greatest, rays, count, 0.0)?;
-            shaft.bound(axis * least - side, rays, count, 0.0)?;
+    pub fn around_rays(rays: &[LaneRays], end: f64) -> Option<Self> {
+        let axis = axis_of(rays)?;
+        let sides = sides_of(axis, rays);
+        let along = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| ray.direction.dot(axis.lift()),
+        );
+        if along.least.is_nan() || along.least <= 0.0 {
+            return None;
         }
-        shaft.bound(-axis, rays, count, 0.0)?;
+        let slopes = [slopes(rays, axis, sides[0]), slopes(rays, axis, sides[1])];
+        let size = 1.0 + slopes[0].size() + slopes[1].size();
+        let margin = COORDINATE_ROUNDING * size;
+        let mut shaft = Self::empty();
+        for (side, slope) in sides.into_iter().zip(slopes) {
+            shaft.bound(side - axis * (slope.greatest + margin), rays, 0.0)?;
+            shaft.bound(axis * (slope.least - margin) - side, rays, 0.0)?;
+        }
+        shaft.bound(-axis, rays, 0.0)?;
         if end.is_finite() {
-            shaft.bound(axis, rays, count, end * spread.longest)?;
+            shaft.bound(axis, rays, end * along.greatest)?;
         }
         Some(shaft)
     }
 
     /// Adds the half-space with this normal that all origins are in, or are by no more than `beyond` out of.
     #[inline(always)]
-    fn bound(&mut self, normal: Vec3, rays: &[LaneRays], count: usize, beyond: f64) -> Option<()> {
-        let (mut offset, mut reach) = (Lanes::constant(f64::NEG_INFINITY), Lanes::constant(0.0));
-        for_each(
+    fn bound(&mut self, normal: Vec3, rays: &[LaneRays], beyond: f64) -> Option<()> {
+        let offset = Range::of(
             rays,
-            count,
             #[inline(always)]
-            |ray, lanes| {
-                let o = ray.origin;
-                let (x, y, z) = (
-                    o.x * Lanes::constant(normal.x),
-                    o.y * Lanes::constant(normal.y),
-                    o.z * Lanes::constant(normal.z),
-                );
-                offset = Lanes::select(lanes, (x + y + z).max(offset), offset);
-                reach = Lanes::select(lanes, (x.abs() + y.abs() + z.abs()).max(reach), reach);
+            |ray| ray.origin.dot(normal.lift()),
+        );
+        let reach = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| {
+                let (n, o) = (normal, ray.origin);
+                (o.x * Lanes::constant(n.x)).abs()
+                    + (o.y * Lanes::constant(n.y)).abs()
+                    + (o.z * Lanes::constant(n.z)).abs()
             },
         );
-        self.push_face(normal, greatest(offset) + beyond, greatest(reach) + beyond)
+        self.push_face(normal, offset.greatest + beyond, reach.greatest + beyond)
     }
 }
 
-/// How rays spread around an axis.
-struct Spread {
-    /// Least and greatest slopes to both sides.
-    slopes: [[f64; 2]; 2],
-    /// How far the ray goes along the axis that goes farthest, in its own unit.
-    longest: f64,
+/// The least and the greatest of numbers.
+#[derive(Clone, Copy)]
+struct Range {
+    least: f64,
+    greatest: f64,
 }
 
-impl Spread {
+impl Range {
+    /// Of one number for each ray. Intermediate results stand in memory, by which the compiler sees what goes side by
+    /// side.
     #[inline(always)]
-    fn of(rays: &[LaneRays], count: usize, axis: Vec3, sides: [Vec3; 2]) -> Option<Self> {
-        let infinity = Lanes::constant(f64::INFINITY);
-        let (mut least, mut most) = ([infinity; 2], [-infinity; 2]);
-        let (mut shortest, mut longest) = (infinity, -infinity);
-        for_each(
-            rays,
-            count,
-            #[inline(always)]
-            |ray, lanes| {
-                let along = ray.direction.dot(axis.lift());
-                shortest = Lanes::select(lanes, along.min(shortest), shortest);
-                longest = Lanes::select(lanes, along.max(longest), longest);
-                let inverse = Lanes::constant(1.0) / along;
-                for i in 0..2 {
-                    let slope = ray.direction.dot(sides[i].lift()) * inverse;
-                    least[i] = Lanes::select(lanes, slope.min(least[i]), least[i]);
-                    most[i] = Lanes::select(lanes, slope.max(most[i]), most[i]);
-                }
-            },
-        );
-        let [least, most] = [least.map(|x| -greatest(-x)), most.map(greatest)];
-        let is_ahead = -greatest(-shortest) > 0.0;
-        let size = 1.0 + (0..2).map(|i| least[i].abs().max(most[i].abs())).sum::<f64>();
-        let margin = COORDINATE_ROUNDING * size;
-        let slopes = [0, 1].map(|i| [least[i] - margin, most[i] + margin]);
-        (is_ahead && size.is_finite()).then(|| Self { slopes, longest: greatest(longest) })
+    fn of(rays: &[LaneRays], number: impl Fn(&LaneRays) -> Lanes) -> Self {
+        let (mut least, mut greatest) =
+            ([Lanes::constant(f64::INFINITY); MOST + 1], [Lanes::constant(f64::NEG_INFINITY); MOST + 1]);
+        for (i, ray) in rays.iter().enumerate().take(MOST) {
+            let x = number(ray);
+            least[i + 1] = x.min(least[i]);
+            greatest[i + 1] = x.max(greatest[i]);
+        }
+        let last = rays.len().min(MOST);
+        Self {
+            least: least[last].0.into_iter().fold(f64::INFINITY, f64::min),
+            greatest: greatest[last].0.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    fn size(self) -> f64 {
+        self.least.abs().max(self.greatest.abs())
     }
 }
 
+/// How steeply rays run to a side of the axis.
 #[inline(always)]
-fn axis_of(rays: &[LaneRays], count: usize) -> Option<Vec3> {
-    let zero = Lanes::constant(0.0);
-    let mut sum = vec3(zero, zero, zero);
-    for_each(
+fn slopes(rays: &[LaneRays], axis: Vec3, side: Vec3) -> Range {
+    Range::of(
         rays,
-        count,
         #[inline(always)]
-        |ray, lanes| sum = Vec3::select(lanes, sum + ray.direction, sum),
-    );
-    let total = |x: Lanes| x.0.iter().sum::<f64>();
-    vec3(total(sum.x), total(sum.y), total(sum.z)).try_normalize()
+        |ray| ray.direction.dot(side.lift()) / ray.direction.dot(axis.lift()),
+    )
+}
+
+/// Between the first ray and the last.
+#[inline(always)]
+fn axis_of(rays: &[LaneRays]) -> Option<Vec3> {
+    let last = direction(rays, rays.len() * LANES - 1).try_normalize()?;
+    (direction(rays, 0).try_normalize()? + last).try_normalize()
+}
+
+fn direction(rays: &[LaneRays], i: usize) -> Vec3 {
+    let d = &rays[i / LANES].direction;
+    vec3(d.x.0[i % LANES], d.y.0[i % LANES], d.z.0[i % LANES])
 }
 
 /// Two directions across the axis; the first along which rays follow each other.
-#[inline(always)]
-fn sides_of(axis: Vec3, rays: &[LaneRays], count: usize) -> [Vec3; 2] {
-    let direction = |i: usize| {
-        let d = &rays[i / LANES].direction;
-        vec3(d.x.0[i % LANES], d.y.0[i % LANES], d.z.0[i % LANES])
-    };
-    let along_row = direction((LANES - 1).min(count - 1)) - direction(0);
+fn sides_of(axis: Vec3, rays: &[LaneRays]) -> [Vec3; 2] {
+    let along_row = direction(rays, LANES - 1) - direction(rays, 0);
     let across = axis.cross(along_row);
-    let is_clear = across.length_squared() > 1e-12 * direction(0).length_squared();
+    let is_clear = across.length_squared() > 1e-12 * direction(rays, 0).length_squared();
     let first = across.try_normalize().filter(|_| is_clear).unwrap_or_else(|| axis.tangents().0);
     [first, axis.cross(first)]
-}
-
-/// Calls for eight rays at a time with those lanes that count.
-#[inline(always)]
-fn for_each(rays: &[LaneRays], count: usize, mut act: impl FnMut(&LaneRays, LaneMask)) {
-    for (i, ray) in rays[..count.div_ceil(LANES)].iter().enumerate() {
-        act(ray, LaneMask::first((count - i * LANES).min(LANES)));
-    }
-}
-
-#[inline(always)]
-fn greatest(lanes: Lanes) -> f64 {
-    lanes.0.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }

@@ -220,7 +220,7 @@ fn what_a_shaft_of_single_rays_misses_none_of_them_hits() {
                 .map(|i| LaneRays { origin: vector(i, |r| r.origin), direction: vector(i, |r| r.direction) })
                 .collect();
             let end = if random.one_in(2) { f64::INFINITY } else { random.between(0.1, 5.0) };
-            let Some(shaft) = Shaft::around_rays(&lanes, rays.len(), end) else { continue };
+            let Some(shaft) = Shaft::around_rays(&lanes, end) else { continue };
             if shaft.misses(&primitive) {
                 missed += 1;
                 let mut hits = rays.iter().map(|ray| primitive.first_hit(ray, Start::Elsewhere));

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::worker::{First, TileWorker};
 use crate::products::{PreparedScene, SampleState, StageClock, Tile};
 use crate::run::RayOrder;
-use crate::tracing::{MOST_RAYS, Sight, Unguided, color_at, reference_sample};
+use crate::tracing::{MOST_RAYS, Sight, Unguided, reference_sample};
 
 /// Traces all samples of a tile.
 pub(crate) fn render_full(worker: &mut TileWorker, tile: &Tile) {
@@ -31,19 +31,14 @@ fn trace_squares(worker: &mut TileWorker, tile: &Tile) {
 
 /// Traces a small rectangle of samples.
 fn trace_together(worker: &mut TileWorker, tile: &Tile, columns: Range<u32>, rows: Range<u32>) {
-    let (mut x, mut y, mut count) = ([0; MOST_RAYS], [0; MOST_RAYS], 0);
+    let (mut samples, mut count) = ([[0; 2]; MOST_RAYS], 0);
     for row in rows {
         for column in columns.clone() {
-            (x[count], y[count]) = (column, row);
+            samples[count] = [column, row];
             count += 1;
         }
     }
-    let colors = worker.trace_samples(tile, &x[..count], &y[..count], Sight::Unknown, Unguided);
-    for i in 0..count {
-        let index = tile.index(x[i], y[i]);
-        worker.samples.color[index] = color_at(&colors, i).to_f32();
-        worker.samples.state[index] = SampleState::Traced;
-    }
+    worker.trace_samples(tile, &samples[..count], Sight::Unknown, Unguided, SampleState::Traced);
 }
 
 /// Traces all samples in a row of a tile.

@@ -8,7 +8,7 @@ use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock
 use crate::render::Job;
 use crate::run::RayOrder;
 use crate::settings::Settings;
-use crate::tracing::{Bundle, Colors, Guide, Sight, Tracer, Unguided};
+use crate::tracing::{Bundle, Guide, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -81,23 +81,22 @@ impl<'a> TileWorker<'a> {
         self.samples.state[index] = SampleState::Traced;
     }
 
-    /// The colours of up to [`MOST_RAYS`](crate::tracing::MOST_RAYS) samples, by column and row of the tile, traced
-    /// together.
+    /// Traces up to [`MOST_RAYS`](crate::tracing::MOST_RAYS) samples together, by column and row of the tile; gives each
+    /// its colour and this state.
     pub(super) fn trace_samples(
         &mut self,
         tile: &Tile,
-        x: &[u32],
-        y: &[u32],
+        samples: &[[u32; 2]],
         first: Sight,
         guide: impl Guide,
-    ) -> Colors {
+        state: SampleState,
+    ) {
         let camera = self.camera;
-        let place = |of: &[u32], start: u32, packet: usize| {
-            let last = of.len() - 1;
-            Lanes::from_fn(|lane| f64::from(start + of[(packet * LANES + lane).min(last)]))
-        };
-        let bundle = Bundle::new(x.len(), |packet| {
-            let (x, y) = (place(x, tile.x, packet), place(y, tile.y, packet));
+        let last = samples.len() - 1;
+        let bundle = Bundle::new(samples.len(), |packet| {
+            let at = |lane: usize| samples[(packet * LANES + lane).min(last)];
+            let x = Lanes::from_fn(|lane| f64::from(tile.x + at(lane)[0]));
+            let y = Lanes::from_fn(|lane| f64::from(tile.y + at(lane)[1]));
             SimdLevel::default().run(
                 #[inline(always)]
                 || {
@@ -106,7 +105,13 @@ impl<'a> TileWorker<'a> {
                 },
             )
         });
-        self.tracer.trace_bundle(&bundle, first, guide)
+        let mut colors = NO_COLORS;
+        self.tracer.trace_bundle(&bundle, first, guide, &mut colors);
+        for (i, &[x, y]) in samples.iter().enumerate() {
+            let index = tile.index(x, y);
+            self.samples.color[index] = color_at(&colors, i).to_f32();
+            self.samples.state[index] = state;
+        }
     }
 
     /// Traces a sample for nothing but its history. Its rays are not counted.

@@ -4,7 +4,7 @@ use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
-use super::bundle::Lookup;
+use super::bundle::{Lookup, Rooms};
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
@@ -27,6 +27,7 @@ pub(crate) struct Tracer<'a> {
     history_kind: HistoryKind,
     pub(super) max_depth: u32,
     pub(super) lookup: Lookup,
+    pub(super) rooms: Rooms,
     history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
     pub(super) rays_left: u32,
@@ -43,6 +44,7 @@ impl<'a> Tracer<'a> {
             history_kind,
             max_depth,
             lookup: Lookup::default(),
+            rooms: Rooms::default(),
             history,
             rays_left: 0,
             counters,

@@ -2,7 +2,7 @@
 
 use brt_geometry::{Hit, LANES, Lanes, Real, SimdLevel};
 
-use super::{Bundle, PACKETS, ones};
+use super::{Bundle, PACKETS, places};
 use crate::products::{NOTHING, PreparedScene};
 use crate::tracing::guide::Sight;
 use crate::tracing::search::start;
@@ -14,10 +14,19 @@ pub(super) struct Hits {
     pub(super) t: [Lanes; PACKETS],
 }
 
+impl Default for Hits {
+    fn default() -> Self {
+        Self { primitive: [NONE; PACKETS], t: [FAR; PACKETS] }
+    }
+}
+
+const NONE: Lanes = Lanes([NOTHING as f64; LANES]);
+const FAR: Lanes = Lanes([f64::INFINITY; LANES]);
+
 impl Hits {
-    fn none() -> Self {
-        let nothing = Lanes::constant(f64::from(NOTHING));
-        Self { primitive: [nothing; PACKETS], t: [Lanes::constant(f64::INFINITY); PACKETS] }
+    fn clear(&mut self, packets: usize) {
+        self.primitive[..packets].fill(NONE);
+        self.t[..packets].fill(FAR);
     }
 
     /// What a ray meets.
@@ -26,20 +35,26 @@ impl Hits {
     }
 
     /// Which rays meet this, by bits.
-    pub(super) fn that_meet(&self, primitive: u32) -> u64 {
+    pub(super) fn that_meet(&self, primitive: u32, packets: usize) -> u64 {
         let wanted = Lanes::constant(f64::from(primitive));
-        let bits = self.primitive.iter().map(|met| u64::from(met.equals(wanted).bits()));
-        bits.enumerate().fold(0, |all, (packet, bits)| all | bits << (packet * LANES))
+        SimdLevel::default().run(
+            #[inline(always)]
+            || {
+                let mut all = 0;
+                for (packet, met) in self.primitive.iter().enumerate().take(packets) {
+                    all |= u64::from(met.equals(wanted).bits()) << (packet * LANES);
+                }
+                all
+            },
+        )
     }
 
-    /// The distances of these rays.
-    pub(super) fn some(&self, bits: u64) -> [Lanes; PACKETS] {
-        let first = bits.trailing_zeros() as usize;
-        let mut t = [Lanes::constant(self.t[first / LANES].0[first % LANES]); PACKETS];
-        for (to, from) in ones(bits).enumerate() {
-            t[to / LANES].0[to % LANES] = self.t[from / LANES].0[from % LANES];
+    /// Becomes the hits of the rays of these bits.
+    pub(super) fn take(&mut self, hits: &Self, bits: u64) {
+        for (to, from) in places(bits) {
+            self.primitive[to / LANES].0[to % LANES] = hits.primitive[from / LANES].0[from % LANES];
+            self.t[to / LANES].0[to % LANES] = hits.t[from / LANES].0[from % LANES];
         }
-        t
     }
 
     /// Tries these primitives; of equally near ones that with the lower id counts, however they are sorted.
@@ -63,40 +78,41 @@ impl Hits {
 
 impl Tracer<'_> {
     /// What rays meet that leave a primitive.
-    pub(super) fn hits(&mut self, rays: &Bundle, from: u32, sight: Sight) -> Hits {
+    pub(super) fn find_hits(&mut self, hits: &mut Hits, rays: &Bundle, from: u32, sight: Sight) {
+        hits.clear(rays.packets());
         match sight {
-            Sight::Met(NOTHING) => Hits::none(),
-            Sight::Met(primitive) => self.hits_among(rays, from, &[primitive]),
-            Sight::Among(list) => self.hits_among(rays, from, list),
-            Sight::Unknown => {
-                let Some(list) = self.lookup.sight(self.scene, rays) else {
-                    return self.searched_hits(rays, from);
-                };
-                let hits = self.hits_among(rays, from, &list);
-                self.lookup.give_back(list);
-                hits
-            }
+            Sight::Met(NOTHING) => {}
+            Sight::Met(primitive) => self.find_among(hits, rays, from, &[primitive]),
+            Sight::Among(list) => self.find_among(hits, rays, from, list),
+            Sight::Unknown => match self.lookup.sight(self.scene, rays) {
+                Some(list) => {
+                    self.find_among(hits, rays, from, &list);
+                    self.lookup.give_back(list);
+                }
+                None => self.search_hits(hits, rays, from),
+            },
         }
     }
 
-    fn hits_among(&mut self, rays: &Bundle, from: u32, list: &[u32]) -> Hits {
+    fn find_among(&mut self, hits: &mut Hits, rays: &Bundle, from: u32, list: &[u32]) {
         self.search.count_tests((list.len() * rays.count) as u64);
-        let (scene, mut hits) = (self.scene, Hits::none());
         SimdLevel::default().run(
             #[inline(always)]
-            || hits.meet(scene, rays, from, list),
+            || hits.meet(self.scene, rays, from, list),
         );
-        hits
     }
 
-    fn searched_hits(&mut self, rays: &Bundle, from: u32) -> Hits {
-        let mut hits = Hits::none();
-        for i in 0..rays.count {
-            if let Some(met) = self.search.closest(&rays.ray(i), from) {
+    fn search_hits(&mut self, hits: &mut Hits, rays: &Bundle, from: u32) {
+        // Lanes beyond the last are to hold what it meets.
+        for i in 0..rays.packets() * LANES {
+            if i >= rays.count {
+                let last = rays.count - 1;
+                hits.primitive[i / LANES].0[i % LANES] = hits.primitive[last / LANES].0[last % LANES];
+                hits.t[i / LANES].0[i % LANES] = hits.t[last / LANES].0[last % LANES];
+            } else if let Some(met) = self.search.closest(&rays.ray(i), from) {
                 hits.primitive[i / LANES].0[i % LANES] = f64::from(met.primitive);
                 hits.t[i / LANES].0[i % LANES] = met.t;
             }
         }
-        hits
     }
 }

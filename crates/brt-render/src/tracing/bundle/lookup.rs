@@ -1,15 +1,15 @@
 //! Which primitives may the rays of a bundle meet? Looked up once for all of them.
 
-use brt_geometry::{LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Vec3};
+use brt_geometry::{LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Vec3};
 
-use super::{Bundle, PACKETS};
+use super::{Bundle, NOWHERE, PACKETS};
 use crate::products::{PreparedLight, PreparedScene};
 
 /// Fewer rays search by themselves.
-const LEAST_RAYS: usize = 8;
+const LEAST_RAYS: usize = 12;
 
 /// Rays that may meet more primitives search by themselves, too.
-const MOST_LISTED: usize = 12;
+const MOST_LISTED: usize = 20;
 
 /// All primitives of scenes with no more are tried by all rays.
 const FEW: usize = 6;
@@ -23,8 +23,13 @@ pub(in crate::tracing) struct Lookup {
 impl Lookup {
     /// What the rays may meet; `None` where that is not worth while to know.
     pub(super) fn sight(&mut self, scene: &PreparedScene, rays: &Bundle) -> Option<Vec<u32>> {
-        let shaft = || Shaft::around_rays(&rays.rays, rays.count, f64::INFINITY);
-        self.list(scene, rays.count, shaft, |_| true)
+        self.list(
+            scene,
+            rays.count,
+            #[inline(always)]
+            || Shaft::around_rays(&rays.rays[..rays.packets()], f64::INFINITY),
+            |_| true,
+        )
     }
 
     /// What may stand between these points and a light.
@@ -35,23 +40,13 @@ impl Lookup {
         count: usize,
         light: &PreparedLight,
     ) -> Option<Vec<u32>> {
-        let shaft = || {
-            let ways = points.map(
-                #[inline(always)]
-                |point| match light {
-                    // Ways to a point spread from there.
-                    PreparedLight::Point { position, .. } => {
-                        LaneRays { origin: position.lift(), direction: point - position.lift() }
-                    }
-                    PreparedLight::Directional { towards, .. } => {
-                        LaneRays { origin: point, direction: towards.lift() }
-                    }
-                },
-            );
-            let end = if let PreparedLight::Point { .. } = light { 1.0 } else { f64::INFINITY };
-            Shaft::around_rays(&ways, count, end)
-        };
-        self.list(scene, count, shaft, |id| scene.infos[id as usize].casts_shadow)
+        self.list(
+            scene,
+            count,
+            #[inline(always)]
+            || light_shaft(points, count, light),
+            |id| scene.infos[id as usize].casts_shadow,
+        )
     }
 
     /// For a list that is needed no longer.
@@ -92,6 +87,27 @@ impl Lookup {
     }
 }
 
+/// All ways between points and a light.
+#[inline(always)]
+fn light_shaft(points: &[Vec3<Lanes>; PACKETS], count: usize, light: &PreparedLight) -> Option<Shaft> {
+    let mut ways = [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS];
+    let packets = count.div_ceil(LANES);
+    for (way, &point) in ways.iter_mut().zip(points).take(packets) {
+        *way = match light {
+            // Ways to a point spread from there.
+            PreparedLight::Point { position, .. } => {
+                LaneRays { origin: position.lift(), direction: point - position.lift() }
+            }
+            PreparedLight::Directional { towards, .. } => {
+                LaneRays { origin: point, direction: towards.lift() }
+            }
+        };
+    }
+    let end = if let PreparedLight::Point { .. } = light { 1.0 } else { f64::INFINITY };
+    Shaft::around_rays(&ways[..packets], end)
+}
+
+/// The shaft, computed in lanes.
 fn shaft_of(shaft: impl FnOnce() -> Option<Shaft>) -> Option<Shaft> {
     SimdLevel::default().run(shaft)
 }

@@ -9,9 +9,10 @@ mod hits;
 mod lookup;
 mod shade;
 
-use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, Vec3, vec3};
+use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, SimdLevel, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 
+use self::hits::Hits;
 pub(super) use self::lookup::Lookup;
 use self::shade::Seen;
 use super::MOST_RAYS_PER_SAMPLE;
@@ -28,8 +29,8 @@ const PACKETS: usize = 8;
 /// Mirror rays beyond this depth are followed one by one.
 const MOST_LEVELS: u32 = 8;
 
-/// Rays that go on together: the first `count` of these. Lanes without a ray repeat the first one.
-#[derive(Clone, Copy)]
+/// Rays that go on together: the first `count` of these. Lanes of the last packet without a ray repeat the last one.
+#[derive(Clone)]
 pub(crate) struct Bundle {
     rays: [LaneRays; PACKETS],
     count: usize,
@@ -38,24 +39,36 @@ pub(crate) struct Bundle {
 /// A colour for each ray of a bundle.
 pub(crate) type Colors = [Rgb<Lanes>; PACKETS];
 
+/// Colours for [`Tracer::trace_bundle`] to fill in.
+pub(crate) const NO_COLORS: Colors = [rgb(ZERO, ZERO, ZERO); PACKETS];
+
+const ZERO: Lanes = Lanes([0.0; LANES]);
+const NOWHERE: Vec3<Lanes> = vec3(ZERO, ZERO, ZERO);
+
 /// A colour that is the same for eight rays.
 #[inline(always)]
 pub(crate) fn lift(c: Rgb) -> Rgb<Lanes> {
     rgb(Lanes::constant(c.r), Lanes::constant(c.g), Lanes::constant(c.b))
 }
 
+impl Default for Bundle {
+    fn default() -> Self {
+        Self { rays: [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS], count: 0 }
+    }
+}
+
 impl Bundle {
-    /// `count` rays, eight at a time from `rays`; those of lanes beyond the last must be numbers, too.
-    pub(crate) fn new(count: usize, mut rays: impl FnMut(usize) -> LaneRays) -> Self {
-        debug_assert!((1..=MOST_RAYS).contains(&count), "{count} rays");
-        let mut bundle = Self::of(rays(0), count);
-        (1..bundle.packets()).for_each(|i| bundle.rays[i] = rays(i));
+    /// `count` rays, eight at a time from `rays`; lanes beyond the last must be numbers, too.
+    pub(crate) fn new(count: usize, rays: impl FnMut(usize) -> LaneRays) -> Self {
+        let mut bundle = Self::default();
+        bundle.set(count, rays);
         bundle
     }
 
-    /// As many rays, all of them the first eight.
-    fn of(first: LaneRays, count: usize) -> Self {
-        Self { rays: [first; PACKETS], count }
+    fn set(&mut self, count: usize, mut rays: impl FnMut(usize) -> LaneRays) {
+        debug_assert!((1..=MOST_RAYS).contains(&count), "{count} rays");
+        self.count = count;
+        (0..self.packets()).for_each(|i| self.rays[i] = rays(i));
     }
 
     fn packets(&self) -> usize {
@@ -73,20 +86,14 @@ impl Bundle {
         Ray::new(lane_of(o, i % LANES), lane_of(d, i % LANES))
     }
 
-    /// The rays of these bits.
-    fn some(&self, bits: u64) -> Self {
-        let first = bits.trailing_zeros() as usize;
-        let ray = self.ray(first);
-        let all = |v: Vec3| vec3(Lanes::constant(v.x), Lanes::constant(v.y), Lanes::constant(v.z));
-        let repeated = LaneRays { origin: all(ray.origin), direction: all(ray.direction) };
-        let mut part = Self::of(repeated, bits.count_ones() as usize);
-        for (to, from) in ones(bits).enumerate() {
-            let source = &self.rays[from / LANES];
-            let target = &mut part.rays[to / LANES];
+    /// Becomes the rays of these bits.
+    fn take(&mut self, rays: &Self, bits: u64) {
+        self.count = bits.count_ones() as usize;
+        for (to, from) in places(bits) {
+            let (source, target) = (&rays.rays[from / LANES], &mut self.rays[to / LANES]);
             copy_lane(&source.origin, from % LANES, &mut target.origin, to % LANES);
             copy_lane(&source.direction, from % LANES, &mut target.direction, to % LANES);
         }
-        part
     }
 }
 
@@ -105,6 +112,36 @@ fn ones(bits: u64) -> impl Iterator<Item = usize> {
         .map(|rest| rest.trailing_zeros() as usize)
 }
 
+/// Where the bits that are set go when they move together, as pairs of to and from; the last is repeated to fill lanes.
+fn places(bits: u64) -> impl Iterator<Item = (usize, usize)> {
+    let count = bits.count_ones() as usize;
+    let last = 63 - bits.leading_zeros() as usize;
+    let fill = std::iter::repeat_n(last, count.next_multiple_of(LANES) - count);
+    ones(bits).chain(fill).enumerate()
+}
+
+/// Working memory of a parting: rays that go on by themselves.
+struct Parting {
+    hits: Hits,
+    rays: Bundle,
+    own: Hits,
+    colors: Colors,
+}
+
+impl Default for Parting {
+    fn default() -> Self {
+        let (hits, own) = (Hits::default(), Hits::default());
+        Self { hits, rays: Bundle::default(), own, colors: NO_COLORS }
+    }
+}
+
+/// Working memory of bundles, reused from level to level.
+#[derive(Default)]
+pub(super) struct Rooms {
+    partings: Vec<Box<Parting>>,
+    seen: Vec<Box<Seen>>,
+}
+
 /// Rays on their way.
 struct Way<'b, G> {
     rays: &'b Bundle,
@@ -116,74 +153,90 @@ struct Way<'b, G> {
 
 impl Tracer<'_> {
     /// Traces camera rays, given what is known of their first hits and of what follows from there.
-    pub(crate) fn trace_bundle(&mut self, rays: &Bundle, first: Sight, guide: impl Guide) -> Colors {
+    pub(crate) fn trace_bundle(
+        &mut self,
+        rays: &Bundle,
+        first: Sight,
+        guide: impl Guide,
+        colors: &mut Colors,
+    ) {
         self.counters.rays.camera += rays.count as u64;
-        let mut colors = [lift(Rgb::BLACK); PACKETS];
-        self.follow(&Way { rays, depth: 0, guide }, FROM_NOWHERE, first, &mut colors);
-        colors
+        self.follow(&Way { rays, depth: 0, guide }, FROM_NOWHERE, first, colors);
     }
 
     /// The colours of rays that leave a primitive.
     fn follow<G: Guide>(&mut self, way: &Way<G>, from: u32, sight: Sight, colors: &mut Colors) {
-        let rays = way.rays;
-        let hits = self.hits(rays, from, sight);
-        let all = u64::MAX >> (64 - rays.count);
+        let mut parting = self.rooms.partings.pop().unwrap_or_default();
+        let Parting { hits, rays, own, colors: part_colors } = &mut *parting;
+        self.find_hits(hits, way.rays, from, sight);
+        let all = u64::MAX >> (64 - way.rays.count);
         let mut rest = all;
         while rest != 0 {
             let primitive = hits.primitive(rest.trailing_zeros() as usize);
-            let here = rest & hits.that_meet(primitive);
+            let here = rest & hits.that_meet(primitive, way.rays.packets());
             rest &= !here;
             if primitive == NOTHING {
                 let background = self.scene.background;
                 ones(here).for_each(|i| set_color(colors, i, background));
             } else if here == all {
-                self.surface(way, &hits.t, primitive, colors);
+                self.surface(way, hits, primitive, colors);
             } else {
-                let (part, t) = (rays.some(here), hits.some(here));
-                let mut own = [lift(Rgb::BLACK); PACKETS];
-                self.surface(&Way { rays: &part, ..*way }, &t, primitive, &mut own);
-                ones(here).enumerate().for_each(|(from, to)| set_color(colors, to, color_at(&own, from)));
+                rays.take(way.rays, here);
+                own.take(hits, here);
+                self.surface(&Way { rays, ..*way }, own, primitive, part_colors);
+                let part = ones(here).enumerate();
+                part.for_each(|(from, to)| set_color(colors, to, color_at(part_colors, from)));
             }
         }
+        self.rooms.partings.push(parting);
     }
 
-    /// The colours of rays that all meet one primitive, at these distances.
-    fn surface<G: Guide>(&mut self, way: &Way<G>, t: &[Lanes; PACKETS], primitive: u32, colors: &mut Colors) {
+    /// The colours of rays that all meet one primitive.
+    fn surface<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
         let Way { rays, depth, guide } = *way;
         if depth + 1 == MOST_LEVELS || !is_known_to_lanes(self.scene, primitive) {
-            return self.one_by_one(way, t, primitive, colors);
+            return self.one_by_one(way, hits, primitive, colors);
         }
-        let mut seen = Seen::at(self.scene, rays, t, primitive);
+        let mut seen = self.rooms.seen.pop().unwrap_or_default();
+        seen.look_at(self.scene, rays, hits, primitive, colors);
         for (index, light) in self.scene.lights.iter().enumerate() {
-            self.add_light(&mut seen, light, guide.lighting(index));
+            self.add_light(&seen, light, guide.lighting(index), colors);
         }
-        let reflection = seen.material.reflection;
+        let reflection = seen.material(self.scene).reflection;
         if reflection > 0.0 && depth < self.max_depth {
             self.counters.rays.mirror += rays.count as u64;
-            let mut reflected = [lift(Rgb::BLACK); PACKETS];
-            let next = Way { rays: &seen.mirrored(rays), depth: depth + 1, guide: guide.next() };
-            self.follow(&next, primitive, guide.mirrored(), &mut reflected);
-            seen.add(&reflected, reflection);
+            seen.mirror(rays);
+            let Seen { mirrored, reflected, .. } = &mut *seen;
+            let next = Way { rays: mirrored, depth: depth + 1, guide: guide.next() };
+            self.follow(&next, primitive, guide.mirrored(), reflected);
+            add(colors, reflected, reflection, rays.packets());
         }
-        *colors = seen.color;
+        self.rooms.seen.push(seen);
     }
 
     /// Goes on with each ray by itself.
-    fn one_by_one<G: Guide>(
-        &mut self,
-        way: &Way<G>,
-        t: &[Lanes; PACKETS],
-        primitive: u32,
-        colors: &mut Colors,
-    ) {
+    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
         for i in 0..way.rays.count {
-            let met = Met { primitive, t: t[i / LANES].0[i % LANES] };
+            let met = Met { primitive, t: hits.t[i / LANES].0[i % LANES] };
             self.rays_left = MOST_RAYS_PER_SAMPLE - way.depth;
             let bounces_left = self.max_depth - way.depth;
             let color = self.color_of(&way.rays.ray(i), Some(met), bounces_left, way.guide);
             set_color(colors, i, color);
         }
     }
+}
+
+/// Adds a share of what is seen in a mirror.
+fn add(colors: &mut Colors, reflected: &Colors, share: f64, packets: usize) {
+    SimdLevel::default().run(
+        #[inline(always)]
+        || {
+            let share = Lanes::constant(share);
+            for (color, reflected) in colors.iter_mut().zip(reflected).take(packets) {
+                *color = *color + *reflected * share;
+            }
+        },
+    );
 }
 
 /// Can lanes shade it?

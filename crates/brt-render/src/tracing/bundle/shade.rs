@@ -1,92 +1,98 @@
 //! Shading of what a bundle meets on one primitive.
 
-use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Mask, Ray, Real, SimdLevel, Vec3, vec3};
+use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Mask, Ray, Real, SimdLevel, Vec3};
 use brt_image::Rgb;
 use brt_scene::Axis;
 
-use super::{Bundle, Colors, PACKETS, lift};
-use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
+use super::hits::Hits;
+use super::{Bundle, Colors, NO_COLORS, NOWHERE, PACKETS, lift};
+use crate::products::{NOTHING, PreparedLight, PreparedMaterial, PreparedScene};
 use crate::tracing::guide::Lighting;
 use crate::tracing::illumination::{Directions, mirrored, reflected_light};
 use crate::tracing::search::start;
 use crate::tracing::tracer::Tracer;
 
-/// One primitive seen by all rays of a bundle.
-pub(super) struct Seen<'a> {
+/// One primitive seen by all rays of a bundle; and working memory for what it mirrors.
+pub(super) struct Seen {
     primitive: u32,
-    pub(super) material: &'a PreparedMaterial,
+    material: u32,
     count: usize,
     point: [Vec3<Lanes>; PACKETS],
     /// On the viewer's side.
     normal: [Vec3<Lanes>; PACKETS],
     viewer: [Vec3<Lanes>; PACKETS],
     body: Colors,
-    /// What is known so far of the colours that are seen.
-    pub(super) color: Colors,
+    pub(super) mirrored: Bundle,
+    pub(super) reflected: Colors,
 }
 
-impl<'a> Seen<'a> {
-    /// What rays see at these distances, without any light.
-    pub(super) fn at(scene: &'a PreparedScene, rays: &Bundle, t: &[Lanes; PACKETS], primitive: u32) -> Self {
-        let material = &scene.materials[scene.infos[primitive as usize].material as usize];
-        let zero = Lanes::constant(0.0);
-        let nowhere = [vec3(zero, zero, zero); PACKETS];
-        let dark = [lift(Rgb::BLACK); PACKETS];
-        let mut seen = Self {
-            primitive,
-            material,
-            count: rays.count,
-            point: nowhere,
-            normal: nowhere,
-            viewer: nowhere,
-            body: dark,
-            color: dark,
-        };
+impl Default for Seen {
+    fn default() -> Self {
+        Self {
+            primitive: NOTHING,
+            material: 0,
+            count: 0,
+            point: [NOWHERE; PACKETS],
+            normal: [NOWHERE; PACKETS],
+            viewer: [NOWHERE; PACKETS],
+            body: NO_COLORS,
+            mirrored: Bundle::default(),
+            reflected: NO_COLORS,
+        }
+    }
+}
+
+impl Seen {
+    /// Looks at what rays meet; gives the colours without any light.
+    pub(super) fn look_at(
+        &mut self,
+        scene: &PreparedScene,
+        rays: &Bundle,
+        hits: &Hits,
+        primitive: u32,
+        colors: &mut Colors,
+    ) {
+        self.primitive = primitive;
+        self.material = scene.infos[primitive as usize].material;
+        self.count = rays.count;
         SimdLevel::default().run(
             #[inline(always)]
             || {
-                for (packet, &t) in t.iter().enumerate().take(rays.packets()) {
-                    seen.look(scene, packet, &rays.packet(packet), t);
+                for (packet, color) in colors.iter_mut().enumerate().take(rays.packets()) {
+                    *color = self.look(scene, packet, &rays.packet(packet), hits.t[packet]);
                 }
             },
         );
-        seen
     }
 
     #[inline(always)]
-    fn look(&mut self, scene: &PreparedScene, packet: usize, ray: &Ray<Lanes>, t: Lanes) {
+    fn look(&mut self, scene: &PreparedScene, packet: usize, ray: &Ray<Lanes>, t: Lanes) -> Rgb<Lanes> {
         let point = ray.at(t);
         let outward = scene.primitives[self.primitive as usize].normal_at(point);
         let from_behind = outward.dot(ray.direction).gt(Lanes::constant(0.0));
-        let body = body_at(self.material, &point);
+        let material = self.material(scene);
+        let body = body_at(material, &point);
         self.point[packet] = point;
         self.normal[packet] = Vec3::select(from_behind, -outward, outward);
         self.viewer[packet] = -(ray.direction * ray.dd.inverse_sqrt());
         self.body[packet] = body;
-        self.color[packet] = body * Lanes::constant(self.material.ambient);
+        body * Lanes::constant(material.ambient)
     }
 
-    /// The mirror rays.
-    pub(super) fn mirrored(&self, rays: &Bundle) -> Bundle {
-        Bundle::new(self.count, |packet| {
-            let direction = SimdLevel::default().run(
-                #[inline(always)]
-                || mirrored(rays.rays[packet].direction, self.normal[packet]),
-            );
-            LaneRays { origin: self.point[packet], direction }
-        })
+    pub(super) fn material<'a>(&self, scene: &'a PreparedScene) -> &'a PreparedMaterial {
+        &scene.materials[self.material as usize]
     }
 
-    /// Adds a share of what is seen in a mirror.
-    pub(super) fn add(&mut self, reflected: &Colors, share: f64) {
+    /// Sends on the mirror rays.
+    pub(super) fn mirror(&mut self, rays: &Bundle) {
+        let Self { mirrored: bundle, normal, point, .. } = self;
         SimdLevel::default().run(
             #[inline(always)]
             || {
-                let share = Lanes::constant(share);
-                for (color, reflected) in
-                    self.color.iter_mut().zip(reflected).take(self.count.div_ceil(LANES))
-                {
-                    *color = *color + *reflected * share;
+                bundle.count = rays.count;
+                for packet in 0..rays.packets() {
+                    let direction = mirrored(rays.rays[packet].direction, normal[packet]);
+                    bundle.rays[packet] = LaneRays { origin: point[packet], direction };
                 }
             },
         );
@@ -147,7 +153,13 @@ impl<'a> Seen<'a> {
 
     /// Adds the light that arrives at these points.
     #[inline(always)]
-    fn shine(&mut self, light: &PreparedLight, lit: &[LaneMask; PACKETS]) {
+    fn shine(
+        &self,
+        material: &PreparedMaterial,
+        light: &PreparedLight,
+        lit: &[LaneMask; PACKETS],
+        colors: &mut Colors,
+    ) {
         let (PreparedLight::Point { color: source, .. } | PreparedLight::Directional { color: source, .. }) =
             light;
         for (packet, lit) in lit.iter().enumerate().take(self.packets()) {
@@ -159,16 +171,22 @@ impl<'a> Seen<'a> {
                 light: self.towards(packet, light).normalize(),
                 viewer: self.viewer[packet],
             };
-            let arriving = reflected_light(self.material, self.body[packet], lift(*source), &directions);
-            let color = self.color[packet];
-            self.color[packet] = select(*lit, color + arriving, color);
+            let arriving = reflected_light(material, self.body[packet], lift(*source), &directions);
+            let color = colors[packet];
+            colors[packet] = select(*lit, color + arriving, color);
         }
     }
 }
 
 impl Tracer<'_> {
     /// Adds a light where nothing hides it.
-    pub(super) fn add_light(&mut self, seen: &mut Seen, light: &PreparedLight, lighting: Lighting) {
+    pub(super) fn add_light(
+        &mut self,
+        seen: &Seen,
+        light: &PreparedLight,
+        lighting: Lighting,
+        colors: &mut Colors,
+    ) {
         if lighting == Lighting::Hidden {
             return;
         }
@@ -178,9 +196,10 @@ impl Tracer<'_> {
         );
         if lit.iter().any(|lit| lit.any()) {
             self.hide(seen, light, lighting, &mut lit);
+            let material = seen.material(self.scene);
             SimdLevel::default().run(
                 #[inline(always)]
-                || seen.shine(light, &lit),
+                || seen.shine(material, light, &lit, colors),
             );
         }
     }
