@@ -67,17 +67,15 @@ pub fn render(
 
     let mut counters = Counters::default();
     let mut assembler = BandAssembler::new(&grid, settings);
-    let schedule = Schedule::new(&job, run)?;
-    for bands in schedule.groups() {
-        for (pictures, counted) in schedule.render_bands(bands)? {
-            counters += counted;
-            let rows = assembler.add_band(&pictures);
-            sink.take(&rows).map_err(RenderError::Sink)?;
-            if let Some(progress) = run.progress {
-                progress.advance(rows.count());
-            }
+    Schedule::new(&job, run)?.run(|tiles, counted| {
+        counters += counted;
+        let rows = assembler.add_band(&tiles);
+        sink.take(&rows).map_err(RenderError::Sink)?;
+        if let Some(progress) = run.progress {
+            progress.advance(rows.count());
         }
-    }
+        Ok(())
+    })?;
     let mut stats = Stats::of(&counters);
     stats.seconds.prepare = prepare_seconds;
     stats.seconds.render = begin.elapsed().as_secs_f64();

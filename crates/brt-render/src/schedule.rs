@@ -28,25 +28,61 @@ pub(crate) struct Schedule<'a> {
     idle: Mutex<Vec<(TileWorker<'a>, Painter<'a>)>>,
 }
 
+/// The tiles of a band, left to right, and what was counted in them.
+struct FinishedBand {
+    tiles: Vec<TilePicture>,
+    counters: Counters,
+}
+
 impl<'a> Schedule<'a> {
     pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>) -> Result<Self, RenderError> {
         let pool = ThreadPoolBuilder::new().num_threads(run.threads).stack_size(STACK).build()?;
         Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()) })
     }
 
+    /// Renders all bands and hands their tiles to `take`, from the top to the bottom, with what was counted in them.
+    ///
+    /// While a group of bands is rendered, one of the threads takes those of the group before: none waits for it.
+    pub(crate) fn run(
+        &self,
+        mut take: impl FnMut(Vec<TilePicture>, Counters) -> Result<(), RenderError> + Send,
+    ) -> Result<(), RenderError> {
+        self.pool.install(|| {
+            let mut finished = Vec::new();
+            for bands in self.groups() {
+                let waiting = std::mem::take(&mut finished);
+                let (rendered, taken) =
+                    rayon::join(|| self.render_bands(bands), || self.take_bands(waiting, &mut take));
+                taken?;
+                finished = rendered.ok_or(RenderError::Cancelled)?;
+            }
+            self.take_bands(finished, &mut take)
+        })
+    }
+
     /// Bands that are rendered together, from the top to the bottom.
-    pub(crate) fn groups(&self) -> impl Iterator<Item = Range<u32>> + use<> {
+    fn groups(&self) -> impl Iterator<Item = Range<u32>> + use<> {
         let bands = self.job.grid.bands();
         let tiles = TILES_PER_THREAD * self.pool.current_num_threads() as u32;
         let together = tiles.div_ceil(self.job.grid.tiles_wide());
         (0..bands).step_by(together as usize).map(move |first| first..(first + together).min(bands))
     }
 
-    /// The tiles of each band, and what was counted in it.
-    pub(crate) fn render_bands(
+    fn take_bands(
         &self,
-        bands: Range<u32>,
-    ) -> Result<impl Iterator<Item = (Vec<TilePicture>, Counters)> + use<>, RenderError> {
+        bands: Vec<FinishedBand>,
+        take: &mut (impl FnMut(Vec<TilePicture>, Counters) -> Result<(), RenderError> + Send),
+    ) -> Result<(), RenderError> {
+        bands.into_iter().try_for_each(|FinishedBand { tiles, counters }| {
+            if self.run.is_cancelled() {
+                return Err(RenderError::Cancelled);
+            }
+            take(tiles, counters)
+        })
+    }
+
+    /// `None` if the work was cancelled.
+    fn render_bands(&self, bands: Range<u32>) -> Option<Vec<FinishedBand>> {
         let grid = self.job.grid;
         let columns = grid.tiles_wide() as usize;
         let outlines: Vec<Option<BandOutlines>> =
@@ -59,19 +95,19 @@ impl<'a> Schedule<'a> {
             let (picture, counted) = self.render_one(&tile, column, outlines[band].as_ref())?;
             Some((index, picture, counted))
         };
-        let rendered: Option<Vec<_>> =
-            self.pool.install(|| tiles.par_iter().with_max_len(1).map(render_one).collect());
-        let mut rendered = rendered.ok_or(RenderError::Cancelled)?;
+        let rendered: Option<Vec<_>> = tiles.par_iter().with_max_len(1).map(render_one).collect();
+        let mut rendered = rendered?;
         rendered.sort_by_key(|(index, ..)| *index);
         let mut rendered = rendered.into_iter();
-        Ok((0..outlines.len()).map(move |_| {
+        let next_band = |_| {
             let mut counters = Counters::default();
-            let pictures = rendered.by_ref().take(columns).map(|(_, picture, counted)| {
+            let tiles = rendered.by_ref().take(columns).map(|(_, picture, counted)| {
                 counters += counted;
                 picture
             });
-            (pictures.collect(), counters)
-        }))
+            FinishedBand { tiles: tiles.collect(), counters }
+        };
+        Some((0..outlines.len()).map(next_band).collect())
     }
 
     /// `None` if the work was cancelled.
