@@ -50,10 +50,12 @@ impl Run<'_> {
 }
 
 impl TileOrder {
-    /// Sorts tile numbers into this order.
-    pub(crate) fn arrange(self, tiles: &mut [usize]) {
+    /// Sorts tiles, whose numbers are given by `number`, into this order.
+    pub(crate) fn arrange<T>(self, tiles: &mut [T], number: impl Fn(&T) -> usize) {
         if let Self::Shuffled(seed) = self {
-            tiles.sort_by_key(|&t| (t as u64 ^ seed).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(31));
+            tiles.sort_by_key(|tile| {
+                (number(tile) as u64 ^ seed).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(31)
+            });
         }
     }
 }

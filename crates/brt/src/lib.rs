@@ -63,7 +63,9 @@ pub use brt_scene as scene;
 
 pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, write, write_toml};
 pub use brt_geometry::{Vec3, vec3};
-pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb};
+pub use brt_image::{
+    BitDepth, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb,
+};
 pub use brt_render::{
     Accelerator, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
     DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
