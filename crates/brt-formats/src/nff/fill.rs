@@ -6,7 +6,7 @@ use std::ops::Range;
 use brt_image::Rgb;
 use brt_scene::{Diagnostic, Material, MaterialId};
 
-use super::words::Words;
+use crate::words::Words;
 use crate::problems::Problems;
 
 /// The materials of a file; equal fills share one.

@@ -9,7 +9,7 @@ use brt_scene::{Diagnostic, Object, Shape};
 use super::fill::Fills;
 use super::patches::{Corner, Patches};
 use super::polygon::{Polygon, polygon_shape};
-use super::words::{Word, Words};
+use crate::words::{Word, Words};
 use crate::limits::Counter;
 use crate::problems::Problems;
 use crate::{LimitExceeded, Limits};
