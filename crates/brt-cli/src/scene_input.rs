@@ -87,7 +87,9 @@ pub(crate) fn read(path: &Path, options: &InputOptions, max_pixels: u64) -> Resu
     if options.strict && !input.report.diagnostics.is_empty() {
         input.show_warnings();
         let count = input.report.diagnostics.len();
-        return Err(anyhow::anyhow!("{}: {count} warnings, which `--strict` does not let pass", input.name).into());
+        return Err(
+            anyhow::anyhow!("{}: {count} warnings, which `--strict` does not let pass", input.name).into()
+        );
     }
     Ok(input)
 }

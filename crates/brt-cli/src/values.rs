@@ -82,7 +82,8 @@ pub(crate) fn color(text: &str) -> Result<Rgb, String> {
 /// A scene format by its usual extension.
 pub(crate) fn input_format() -> impl TypedValueParser<Value = Format> {
     let readable = Format::ALL.into_iter().filter(|format| format.reads());
-    let names = readable.flat_map(|f| f.extensions().iter().map(move |e| PossibleValue::new(*e).help(f.name())));
+    let names =
+        readable.flat_map(|f| f.extensions().iter().map(move |e| PossibleValue::new(*e).help(f.name())));
     PossibleValuesParser::new(names).try_map(|name| Format::from_name(&name).ok_or("no such format"))
 }
 

@@ -53,6 +53,7 @@ impl Foreign {
     pub fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
         let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
         let by_name = Self::ALL.into_iter().find(|f| f.extensions.contains(&extension.as_str()));
-        by_name.or_else(|| Self::ALL.into_iter().find(|f| f.start.is_some_and(|start| bytes.starts_with(start))))
+        by_name
+            .or_else(|| Self::ALL.into_iter().find(|f| f.start.is_some_and(|start| bytes.starts_with(start))))
     }
 }

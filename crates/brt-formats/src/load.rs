@@ -92,7 +92,8 @@ pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<L
         }
     };
     // The folder of a bare name is the current one.
-    let folder = path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let folder =
+        path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
     match import(format, &bytes, folder, limits) {
         Ok(Imported { scene, report, given }) => {
             let text = text_for(&report, bytes);

@@ -102,14 +102,17 @@ fn ply_with_colours_per_point() {
     let shown = scene.objects[0].material.0 as usize;
     assert_eq!(<[f64; 3]>::from(scene.materials[shown].color), [1.0, 0.0, 0.0]);
     assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("names point 7"));
-    assert!(refused(Format::Ply, text.replace("vertex 3", "vertex 99999999").as_bytes()).contains("in a file of"));
+    assert!(
+        refused(Format::Ply, text.replace("vertex 3", "vertex 99999999").as_bytes()).contains("in a file of")
+    );
 }
 
 #[test]
 fn obj_with_materials_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let obj = "mtllib my parts.mtl\no part\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\ns 1\nf -3//  -2 -1\n";
-    std::fs::write(folder.path().join("my parts.mtl"), "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 30\nd 0.25\n").unwrap();
+    std::fs::write(folder.path().join("my parts.mtl"), "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 30\nd 0.25\n")
+        .unwrap();
     let path = folder.path().join("a.obj");
     std::fs::write(&path, obj).unwrap();
     let loaded = load(&path, &Limits::default()).unwrap();
@@ -178,7 +181,8 @@ fn gltf_extensions_are_read_or_reported() {
     let Imported { scene, report, .. } = read(Format::Gltf, gltf(glass).as_bytes());
     assert_eq!((scene.materials[0].transmission, scene.materials[0].index_of_refraction), (0.5, 1.25));
     assert_eq!(report.diagnostics[0].message, "KHR_materials_clearcoat ignored, at material 0");
-    let Imported { scene, .. } = read(Format::Gltf, gltf(r#", "extensions": {"KHR_materials_unlit": {}}"#).as_bytes());
+    let Imported { scene, .. } =
+        read(Format::Gltf, gltf(r#", "extensions": {"KHR_materials_unlit": {}}"#).as_bytes());
     assert_eq!((scene.materials[0].ambient, scene.materials[0].diffuse), (1.0, 0.0));
 }
 
@@ -277,7 +281,9 @@ fn vrml_shapes_uses_and_viewpoints() {
     assert_eq!(scene.objects[1].shape, Shape::Sphere { center: vec3(5.0, 0.0, 0.0), radius: 2.0 });
     assert!(given.camera);
     assert_eq!(scene.camera.eye, vec3(0.0, 0.0, 9.0));
-    assert!(matches!(scene.camera.projection, Projection::Perspective { fov_deg } if (fov_deg - 28.648).abs() < 0.001));
+    assert!(
+        matches!(scene.camera.projection, Projection::Perspective { fov_deg } if (fov_deg - 28.648).abs() < 0.001)
+    );
     let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
     assert_eq!(messages, ["PROTO ignored", "2 × PointLight ignored"]);
 }
@@ -301,7 +307,9 @@ fn content_tells_formats_of_the_wrong_name() {
     let path = folder.path().join("really-a-ply.stl");
     std::fs::write(&path, VRML).unwrap();
     assert!(load(&path, &Limits::default()).is_ok());
-    for (name, word) in [("a.step", "STEP is not read yet: export STL, 3MF or GLB"), ("a.blend", "export GLB")] {
+    for (name, word) in
+        [("a.step", "STEP is not read yet: export STL, 3MF or GLB"), ("a.blend", "export GLB")]
+    {
         let path = folder.path().join(name);
         std::fs::write(&path, "x").unwrap();
         let error = load(Path::new(&path), &Limits::default()).unwrap_err().to_string();

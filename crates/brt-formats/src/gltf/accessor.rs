@@ -4,10 +4,11 @@ use gltf::Accessor;
 use gltf::accessor::DataType;
 use gltf::buffer::View;
 
+use super::buffers::Buffers;
 use crate::import::{Stop, fault};
 
 /// Rows of N numbers, as floats; normalised integers are from 0 (or −1) to 1.
-pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &[Vec<u8>]) -> Result<Vec<[f64; N]>, Stop> {
+pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Result<Vec<[f64; N]>, Stop> {
     let kind = accessor.data_type();
     let components = accessor.dimensions().multiplicity();
     if components < N {
@@ -20,7 +21,14 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &[Vec<u8>]) -> 
     };
     let mut rows: Vec<[f64; N]> = match accessor.view() {
         Some(view) => {
-            let slice = Strided::new(accessor, &view, accessor.offset(), components * size, accessor.count(), buffers)?;
+            let slice = Strided::new(
+                accessor,
+                &view,
+                accessor.offset(),
+                components * size,
+                accessor.count(),
+                buffers,
+            )?;
             slice.iter().map(row).collect()
         }
         None if accessor.sparse().is_some() => vec![[0.0; N]; accessor.count()],
@@ -36,17 +44,20 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &[Vec<u8>]) -> 
         let count = sparse.count();
         let places =
             Strided::new(accessor, &indices.view(), indices.offset(), index_kind.size(), count, buffers)?;
-        let values = Strided::new(accessor, &values.view(), values.offset(), components * size, count, buffers)?;
+        let values =
+            Strided::new(accessor, &values.view(), values.offset(), components * size, count, buffers)?;
         for (place, value) in places.iter().zip(values.iter()) {
             let i = scalar(index_kind, place) as usize;
-            *rows.get_mut(i).ok_or_else(|| at(accessor, format!("has a sparse index {i} beyond its end")))? = row(value);
+            *rows
+                .get_mut(i)
+                .ok_or_else(|| at(accessor, format!("has a sparse index {i} beyond its end")))? = row(value);
         }
     }
     Ok(rows)
 }
 
 /// Whole numbers of one component.
-pub(super) fn indices(accessor: &Accessor, buffers: &[Vec<u8>]) -> Result<Vec<u32>, Stop> {
+pub(super) fn indices(accessor: &Accessor, buffers: &Buffers) -> Result<Vec<u32>, Stop> {
     let kind = accessor.data_type();
     if kind == DataType::F32 {
         return Err(at(accessor, "has floats where whole numbers are expected".to_owned()));
@@ -69,9 +80,9 @@ impl<'b> Strided<'b> {
         offset: usize,
         row: usize,
         count: usize,
-        buffers: &'b [Vec<u8>],
+        buffers: &'b Buffers<'b>,
     ) -> Result<Self, Stop> {
-        let buffer = buffers.get(view.buffer().index()).map_or(&[][..], Vec::as_slice);
+        let buffer = buffers.get(view.buffer().index()).map_or(&[][..], AsRef::as_ref);
         let stride = view.stride().unwrap_or(row);
         let needed = count.saturating_sub(1).checked_mul(stride).and_then(|n| n.checked_add(row));
         let range = || {

@@ -1,5 +1,7 @@
 //! Buffers: inside a GLB, in the JSON itself, or in files beside it.
 
+use std::borrow::Cow;
+
 use base64::Engine;
 use base64::engine::GeneralPurpose;
 use base64::engine::general_purpose::GeneralPurposeConfig;
@@ -8,22 +10,29 @@ use gltf::buffer::Source;
 
 use crate::import::{Beside, Stop, fault};
 
+/// The bytes of buffers; the binary part of a GLB is not copied.
+pub(super) type Buffers<'b> = Vec<Cow<'b, [u8]>>;
+
 /// The bytes of every buffer, at least as many as the file says.
-pub(super) fn read(
+pub(super) fn read<'b>(
     document: &Document,
-    mut blob: Option<Vec<u8>>,
+    binary: Option<&'b [u8]>,
     beside: &mut Beside,
-) -> Result<Vec<Vec<u8>>, Stop> {
+) -> Result<Buffers<'b>, Stop> {
     let mut buffers = Vec::new();
     for (i, buffer) in document.buffers().enumerate() {
         let bytes = match buffer.source() {
-            Source::Bin => blob.take().ok_or_else(|| fault(format!("buffer {i}: the file has no binary part"), None))?,
+            Source::Bin => match binary {
+                Some(binary) => Cow::Borrowed(binary),
+                None => return Err(fault(format!("buffer {i}: the file has no binary part"), None)),
+            },
             Source::Uri(uri) => {
                 let read = if uri.starts_with("data:") { inline(uri) } else { beside.read(&decoded(uri)) };
-                read.map_err(|why| {
+                let bytes = read.map_err(|why| {
                     let name: String = uri.chars().take(60).collect();
                     fault(format!("buffer {i} (`{name}`) cannot be read: {why}"), None)
-                })?
+                })?;
+                Cow::Owned(bytes)
             }
         };
         if bytes.len() < buffer.length() {
@@ -40,7 +49,8 @@ fn inline(uri: &str) -> Result<Vec<u8>, String> {
     let Some((_, data)) = uri.split_once(";base64,") else {
         return Err("only base64 can be read".to_owned());
     };
-    let config = GeneralPurposeConfig::new().with_decode_padding_mode(base64::engine::DecodePaddingMode::Indifferent);
+    let config =
+        GeneralPurposeConfig::new().with_decode_padding_mode(base64::engine::DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
     engine.decode(data.trim()).map_err(|error| error.to_string())
 }

@@ -62,7 +62,9 @@ fn convert(material: &gltf::Material, i: usize) -> Material {
         glow(&mut ours, material);
     }
     let (transmission, refraction) = match material.transmission() {
-        Some(t) => (f64::from(t.transmission_factor()).clamp(0.0, 1.0), f64::from(material.ior().unwrap_or(1.5))),
+        Some(t) => {
+            (f64::from(t.transmission_factor()).clamp(0.0, 1.0), f64::from(material.ior().unwrap_or(1.5)))
+        }
         None => (0.0, 1.0),
     };
     if transmission > 0.0 {

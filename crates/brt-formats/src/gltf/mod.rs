@@ -8,6 +8,7 @@
 
 mod accessor;
 mod buffers;
+mod container;
 mod light;
 mod material;
 mod mesh;
@@ -16,7 +17,8 @@ mod nodes;
 use std::collections::BTreeMap;
 
 use brt_scene::framing::Up;
-use gltf::{Document, Gltf};
+use gltf::Document;
+use gltf::json::Root;
 
 use crate::import::{Beside, Draft, Stop, fault};
 use crate::load::Imported;
@@ -32,22 +34,26 @@ pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result
 }
 
 fn read_file(bytes: &[u8], beside: &mut Beside, draft: &mut Draft) -> Result<(), Stop> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let Gltf { document, blob } = parsed(bytes)?;
+    let (json, binary) = container::parts(bytes)?;
+    let document = parsed(json)?;
     note_ignored(&document, draft);
-    let buffers = buffers::read(&document, blob, beside)?;
+    let buffers = buffers::read(&document, binary, beside)?;
     let materials = material::read(&document, draft);
     nodes::add(&document, &buffers, &materials, draft)
 }
 
-fn parsed(bytes: &[u8]) -> Result<Gltf, Stop> {
-    let error = match Gltf::from_slice(bytes) {
-        Ok(gltf) => return Ok(gltf),
+fn parsed(json: &[u8]) -> Result<Document, Stop> {
+    let root: Root =
+        gltf::json::deserialize::from_slice(json).map_err(|error| fault(error.to_string(), None))?;
+    check_positions(&root)?;
+    let error = match Document::from_json(root) {
+        Ok(document) => return Ok(document),
         Err(error) => error,
     };
     Err(match error {
         gltf::Error::Validation(errors) => {
-            let more = if errors.len() > 1 { format!(" (and {} more)", errors.len() - 1) } else { String::new() };
+            let more =
+                if errors.len() > 1 { format!(" (and {} more)", errors.len() - 1) } else { String::new() };
             match errors.first() {
                 Some((path, error)) => fault(format!("`{path}`: {error}{more}"), None),
                 None => fault("not valid", None),
@@ -55,6 +61,21 @@ fn parsed(bytes: &[u8]) -> Result<Gltf, Stop> {
         }
         error => fault(error.to_string(), None),
     })
+}
+
+/// The crate's validation looks positions up before it knows that they exist.
+fn check_positions(root: &Root) -> Result<(), Stop> {
+    let primitives =
+        root.meshes.iter().enumerate().flat_map(|(i, mesh)| mesh.primitives.iter().map(move |p| (i, p)));
+    for (i, primitive) in primitives {
+        if let Some(accessor) = primitive.attributes.values().find(|a| a.value() >= root.accessors.len()) {
+            return Err(fault(
+                format!("mesh {i} names accessor {}, which does not exist", accessor.value()),
+                None,
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn note_ignored(document: &Document, draft: &mut Draft) {
@@ -71,7 +92,11 @@ fn note_ignored(document: &Document, draft: &mut Draft) {
     let animations = document.animations().count() as u64;
     draft.notices.note_many("animations ignored", animations, "animation 0".to_owned());
     let skins = document.skins().count() as u64;
-    draft.notices.note_many("skins ignored: the mesh is as it was before it was bent", skins, "skin 0".to_owned());
+    draft.notices.note_many(
+        "skins ignored: the mesh is as it was before it was bent",
+        skins,
+        "skin 0".to_owned(),
+    );
     let mut extensions: BTreeMap<String, (u64, usize)> = BTreeMap::new();
     for (i, material) in document.materials().enumerate() {
         for name in material.extensions().into_iter().flat_map(|map| map.keys()) {

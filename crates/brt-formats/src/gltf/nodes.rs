@@ -4,6 +4,7 @@ use brt_geometry::vec3;
 use brt_scene::{Camera, MaterialId, Projection};
 use gltf::{Document, Node};
 
+use super::buffers::Buffers;
 use super::light::Lights;
 use super::mesh;
 use crate::Limits;
@@ -15,7 +16,7 @@ const MOST_VISITS: u32 = 1_000_000;
 /// Adds what the file's default scene shows; its first one if none is the default, all nodes if there is none.
 pub(super) fn add(
     document: &Document,
-    buffers: &[Vec<u8>],
+    buffers: &Buffers,
     materials: &[MaterialId],
     draft: &mut Draft,
 ) -> Result<(), Stop> {
@@ -37,7 +38,7 @@ pub(super) fn add(
 }
 
 struct Walk<'b> {
-    buffers: &'b [Vec<u8>],
+    buffers: &'b Buffers<'b>,
     materials: &'b [MaterialId],
     lights: Lights,
     visits: u32,
@@ -86,14 +87,20 @@ impl Walk<'_> {
                 Some(&material) => material,
                 None => draft.plain(),
             };
-            draft.add_geometry(geometry.moved(place), Some(&Crease::new(CREASE_DEG)), material, name.clone())?;
+            draft.add_geometry(
+                geometry.moved(place),
+                Some(&Crease::new(CREASE_DEG)),
+                material,
+                name.clone(),
+            )?;
         }
         Ok(())
     }
 }
 
 fn local(node: &Node) -> Affine {
-    let [x, y, z, origin] = node.transform().matrix().map(|c| vec3(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])));
+    let [x, y, z, origin] =
+        node.transform().matrix().map(|c| vec3(f64::from(c[0]), f64::from(c[1]), f64::from(c[2])));
     Affine { x, y, z, origin }
 }
 

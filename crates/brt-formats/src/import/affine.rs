@@ -12,12 +12,8 @@ pub(crate) struct Affine {
 }
 
 impl Affine {
-    pub(crate) const IDENTITY: Self = Self {
-        x: vec3(1.0, 0.0, 0.0),
-        y: vec3(0.0, 1.0, 0.0),
-        z: vec3(0.0, 0.0, 1.0),
-        origin: Vec3::ZERO,
-    };
+    pub(crate) const IDENTITY: Self =
+        Self { x: vec3(1.0, 0.0, 0.0), y: vec3(0.0, 1.0, 0.0), z: vec3(0.0, 0.0, 1.0), origin: Vec3::ZERO };
 
     pub(crate) fn translation(origin: Vec3) -> Self {
         Self { origin, ..Self::IDENTITY }

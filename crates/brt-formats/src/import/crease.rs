@@ -52,8 +52,11 @@ impl<'g> Crease<'g> {
             triangles.iter().map(|&t| normal_of(positions, t).unwrap_or_default()).collect();
         let classes = Weld::classes(positions);
         let corners = Corners::of(&classes, triangles);
-        let mut smooth =
-            Smooth { sources: Vec::new(), normals: Vec::new(), triangles: vec![[u32::MAX; 3]; triangles.len()] };
+        let mut smooth = Smooth {
+            sources: Vec::new(),
+            normals: Vec::new(),
+            triangles: vec![[u32::MAX; 3]; triangles.len()],
+        };
         let mut fan = Fan::default();
         for around in corners.by_point() {
             fan.gather(around, triangles, &classes);

@@ -172,7 +172,11 @@ impl Draft {
         }
         let problems = scene.check();
         if let Some(first) = problems.first() {
-            let more = if problems.len() > 1 { format!(" (and {} more)", problems.len() - 1) } else { String::new() };
+            let more = if problems.len() > 1 {
+                format!(" (and {} more)", problems.len() - 1)
+            } else {
+                String::new()
+            };
             let message = format!("{}{more}", first.message);
             let mut report = notices.into_report();
             report.push(Diagnostic::error(message, None).expecting(first.expected));

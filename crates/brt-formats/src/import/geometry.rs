@@ -36,7 +36,8 @@ impl Geometry {
         let smooth = crease.split(&self.positions, &self.triangles);
         let is_flat = |t: &[u32; 3]| {
             let face = normal_of(&self.positions, t.map(|i| smooth.sources[i as usize]));
-            t.iter().all(|&i| face.is_some_and(|n| n.cross(smooth.normals[i as usize]).length() < FACET_ANGLE))
+            t.iter()
+                .all(|&i| face.is_some_and(|n| n.cross(smooth.normals[i as usize]).length() < FACET_ANGLE))
         };
         let (flat, round): (Vec<[u32; 3]>, Vec<[u32; 3]>) = smooth.triangles.iter().partition(|t| is_flat(t));
         let flat = flat.iter().map(|t| t.map(|i| smooth.sources[i as usize])).collect();

@@ -110,7 +110,8 @@ impl Entry {
         if self.illumination >= 3.0 && self.illumination <= 8.0 {
             material.reflection = 0.5 * shine;
         }
-        let opacity = self.opacity.clamp(0.0, 1.0);
+        // Nobody models what cannot be seen: `Tr 1` is meant as opaque by programs that took it for `d`.
+        let opacity = if self.opacity > 0.0 { self.opacity.min(1.0) } else { 1.0 };
         if opacity < 1.0 {
             material.transmission = 1.0 - opacity;
             material.diffuse *= opacity;

@@ -63,7 +63,10 @@ impl Reader<'_> {
             b"mtllib" => {
                 let name = self.text();
                 if let Err(why) = self.materials.read(&name, beside, draft) {
-                    draft.notices.note(&format!("materials `{}` are not read: {why}", short(&name)), word.span.clone());
+                    draft.notices.note(
+                        &format!("materials `{}` are not read: {why}", short(&name)),
+                        word.span.clone(),
+                    );
                 }
             }
             b"l" | b"p" => draft.notices.note("lines and points ignored", word.span.clone()),
@@ -99,7 +102,7 @@ impl Reader<'_> {
                 self.words.skip_line();
                 continue;
             }
-            corners.push(self.corner(&text)?);
+            corners.push(self.corner(&text, draft)?);
         }
         if corners.len() < 3 {
             let message = format!("a face of {} points", corners.len());
@@ -111,13 +114,23 @@ impl Reader<'_> {
     }
 
     /// `point/texture/normal`, counted from 1, or from −1 backwards.
-    fn corner(&self, word: &Word) -> Result<Corner, Stop> {
+    fn corner(&self, word: &Word, draft: &mut Draft) -> Result<Corner, Stop> {
         let text = String::from_utf8_lossy(word.bytes);
         let mut parts = text.split('/');
         let lists = &self.lists;
         let position = index(parts.next(), lists.positions.len(), "point", word)?;
-        index(parts.next(), lists.texcoords, "texture coordinate", word)?;
-        let normal = index(parts.next(), lists.normals.len(), "normal", word)?;
+        // Some programs number what they never write.
+        let mut optional = |count, what| match index(parts.next(), count, what, word) {
+            Err(Stop::Fault(fault)) if count == 0 && fault.message.starts_with("there is no") => {
+                draft
+                    .notices
+                    .note(&format!("corners name a {what}, but the file has none before"), word.span.clone());
+                Ok(None)
+            }
+            other => other,
+        };
+        optional(lists.texcoords, "texture coordinate")?;
+        let normal = optional(lists.normals.len(), "normal")?;
         match (position, parts.next()) {
             (Some(position), None) => Ok((position, normal)),
             _ => Err(corner_fault(format!("`{}` is no corner of a face", word.excerpt()), word.span.clone())),

@@ -105,7 +105,11 @@ fn color_of(numbers: &[Word]) -> Option<Rgb> {
     let channels: Vec<f64> = numbers.iter().take(3).map_while(|word| word.finite()).collect();
     let &[r, g, b] = &channels[..] else { return None };
     let whole = numbers.iter().take(3).all(|word| !word.bytes.contains(&b'.'));
-    Some(if whole { srgb([r, g, b].map(|c| c / 255.0)) } else { rgb(r.clamp(0.0, 1.0), g.clamp(0.0, 1.0), b.clamp(0.0, 1.0)) })
+    Some(if whole {
+        srgb([r, g, b].map(|c| c / 255.0))
+    } else {
+        rgb(r.clamp(0.0, 1.0), g.clamp(0.0, 1.0), b.clamp(0.0, 1.0))
+    })
 }
 
 /// Colours as what tells materials apart.

@@ -43,7 +43,11 @@ fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
                     .map_err(broken)?;
             }
             _ => {
-                draft.notices.note_many(&format!("elements `{name}` ignored"), element.count as u64, name.clone());
+                draft.notices.note_many(
+                    &format!("elements `{name}` ignored"),
+                    element.count as u64,
+                    name.clone(),
+                );
                 Parser::<Ignored>::new()
                     .read_payload_for_element(&mut reader, element, &header)
                     .map_err(broken)?;

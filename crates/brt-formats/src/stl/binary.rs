@@ -44,6 +44,10 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
         }));
         attributes += u64::from(record[48..50] != [0, 0]);
     }
-    draft.notices.note_many("triangle attributes (perhaps colours) ignored", attributes, "the triangles".to_owned());
+    draft.notices.note_many(
+        "triangle attributes (perhaps colours) ignored",
+        attributes,
+        "the triangles".to_owned(),
+    );
     solid.add_to(draft)
 }

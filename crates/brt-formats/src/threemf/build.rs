@@ -44,7 +44,10 @@ impl Builder<'_, '_> {
         };
         self.visits += 1;
         if depth > Limits::NESTING || self.visits > MOST_VISITS {
-            return Err(fault(format!("components of object {id} nest too deep, or contain themselves"), None));
+            return Err(fault(
+                format!("components of object {id} nest too deep, or contain themselves"),
+                None,
+            ));
         }
         let transform = outer.after(&component.transform);
         self.mesh(id, object, &transform)?;
@@ -59,7 +62,10 @@ impl Builder<'_, '_> {
         let mut index = HashMap::new();
         for (i, triangle) in object.triangles.iter().enumerate() {
             if let Some(v) = triangle.corners.iter().find(|&&v| v as usize >= count) {
-                return Err(fault(format!("triangle {i} of object {id} names point {v}, but there are {count}"), None));
+                return Err(fault(
+                    format!("triangle {i} of object {id} names point {v}, but there are {count}"),
+                    None,
+                ));
             }
             let material = self.material(triangle.property)?;
             let group = *index.entry(material).or_insert_with(|| {
@@ -95,6 +101,9 @@ impl Builder<'_, '_> {
         let color = sum * (1.0 / 3.0);
         let key = <[f64; 3]>::from(color).map(f64::to_bits);
         let draft = &mut *self.draft;
-        Ok(*self.materials.entry(key).or_insert_with(|| draft.scene.add_material(Material::matte("color", color))))
+        Ok(*self
+            .materials
+            .entry(key)
+            .or_insert_with(|| draft.scene.add_material(Material::matte("color", color))))
     }
 }

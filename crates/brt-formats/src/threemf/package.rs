@@ -19,18 +19,18 @@ fn model_name(archive: &mut ZipArchive<Cursor<&[u8]>>, limits: &Limits) -> Resul
     let is_model = |name: &str| name.to_ascii_lowercase().ends_with(".model");
     if let Ok(relations) = read_part(archive, "_rels/.rels", limits) {
         let text = String::from_utf8_lossy(&relations);
-        let target = text.split("Target=\"").skip(1).filter_map(|rest| rest.split('"').next())
+        let target = text
+            .split("Target=\"")
+            .skip(1)
+            .filter_map(|rest| rest.split('"').next())
             .find(|name| is_model(name));
         let name = target.map(|target| target.trim_start_matches('/').to_owned());
         if let Some(name) = name.filter(|name| archive.index_for_name(name).is_some()) {
             return Ok(name);
         }
     }
-    let found = archive
-        .file_names()
-        .filter_map(Result::ok)
-        .map(|name| name.into_owned())
-        .find(|name| is_model(name));
+    let found =
+        archive.file_names().filter_map(Result::ok).map(|name| name.into_owned()).find(|name| is_model(name));
     found.ok_or_else(|| fault("there is no model in this zip file", None))
 }
 

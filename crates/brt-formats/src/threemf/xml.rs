@@ -188,7 +188,8 @@ impl Attributes {
         let name = tag.local_name().as_ref().to_owned();
         let mut values = Vec::new();
         for attribute in tag.attributes().with_checks(false) {
-            let attribute = attribute.map_err(|error| fault(format!("attributes of `{name}`: {error}"), None))?;
+            let attribute =
+                attribute.map_err(|error| fault(format!("attributes of `{name}`: {error}"), None))?;
             let key = attribute.key.local_name().as_ref().to_owned();
             values.push((key, attribute.value.into_owned()));
         }
@@ -208,7 +209,8 @@ impl Attributes {
     }
 
     fn optional(&self, key: &str) -> Result<Option<u32>, Stop> {
-        let parsed = self.text(key).map(|text| text.trim().parse().map_err(|_| self.missing(key, "a whole number")));
+        let parsed =
+            self.text(key).map(|text| text.trim().parse().map_err(|_| self.missing(key, "a whole number")));
         parsed.transpose()
     }
 

@@ -44,7 +44,9 @@ impl Walk {
                 let chosen = if choice >= 0.0 { node.nodes("choice").get(choice as usize) } else { None };
                 chosen.map_or(Ok(()), |child| self.node(child, outer, depth + 1, draft))
             }
-            "LOD" => node.nodes("level").first().map_or(Ok(()), |child| self.node(child, outer, depth + 1, draft)),
+            "LOD" => {
+                node.nodes("level").first().map_or(Ok(()), |child| self.node(child, outer, depth + 1, draft))
+            }
             "Shape" => self.shapes.add(node, outer, draft),
             "Viewpoint" => {
                 viewpoint(node, outer, draft);
@@ -79,7 +81,9 @@ fn transform(node: &Node) -> Affine {
     };
     let center = vector("center", Vec3::ZERO);
     let turned = match node.numbers("scaleOrientation") {
-        &[x, y, z, angle, ..] => (Affine::rotation(vec3(x, y, z), angle), Affine::rotation(vec3(x, y, z), -angle)),
+        &[x, y, z, angle, ..] => {
+            (Affine::rotation(vec3(x, y, z), angle), Affine::rotation(vec3(x, y, z), -angle))
+        }
         _ => (Affine::IDENTITY, Affine::IDENTITY),
     };
     let scaled = turned.0.after(&Affine::scaling(vector("scale", Vec3::splat(1.0)))).after(&turned.1);

@@ -19,7 +19,8 @@ pub(super) fn add(node: &Node, place: &Affine, material: MaterialId, draft: &mut
     let colors = Attribute::new(node, "color", colors);
     // Normals per face are those that faces have anyway.
     let normals = Attribute::new(node, "normal", normals).filter(|a| a.per_vertex);
-    let mut faces = Faces { node, points: &points, colors, normals, geometry: Geometry::default(), corner: 0, face: 0 };
+    let mut faces =
+        Faces { node, points: &points, colors, normals, geometry: Geometry::default(), corner: 0, face: 0 };
     let indices = node.numbers("coordIndex");
     let mut start = 0;
     for (i, &index) in indices.iter().enumerate() {
@@ -83,7 +84,8 @@ impl Faces<'_> {
         let mut points = Vec::new();
         for &index in corners {
             let Some(&p) = self.points.get(index as usize) else {
-                let message = format!("face {} names point {index}, but there are {}", self.face, self.points.len());
+                let message =
+                    format!("face {} names point {index}, but there are {}", self.face, self.points.len());
                 return Err(fault(message, Some(self.node.span.clone())));
             };
             points.push(p);

@@ -23,7 +23,13 @@ impl Shapes {
             "Box" => Ok(draft.add_geometry(cuboid(geometry).moved(place), None, material, None)?),
             "Sphere" => {
                 let radius = geometry.number("radius", 1.0) * scale(geometry, place, draft);
-                self.round(Shape::Sphere { center: place.origin, radius }, radius > 0.0, material, geometry, draft)
+                self.round(
+                    Shape::Sphere { center: place.origin, radius },
+                    radius > 0.0,
+                    material,
+                    geometry,
+                    draft,
+                )
             }
             "Cylinder" => {
                 let radius = geometry.number("radius", 1.0) * scale(geometry, place, draft);
@@ -74,7 +80,8 @@ impl Shapes {
             (color("diffuseColor", 0.8), color("specularColor", 0.0), color("emissiveColor", 0.0));
         let shine = node.number("shininess", 0.2).clamp(0.0, 1.0);
         let transparency = node.number("transparency", 0.0).clamp(0.0, 1.0);
-        let mut key: Vec<u64> = [diffuse, specular, emissive].concat().into_iter().map(f64::to_bits).collect();
+        let mut key: Vec<u64> =
+            [diffuse, specular, emissive].concat().into_iter().map(f64::to_bits).collect();
         key.extend([shine.to_bits(), transparency.to_bits()]);
         *self.0.entry(key).or_insert_with(|| {
             let mut ours = Material::matte("material", srgb(diffuse));
@@ -98,7 +105,9 @@ impl Shapes {
 /// The factor for radii; where it is not the same in all directions, the mean stands in.
 fn scale(node: &Node, place: &Affine, draft: &mut Draft) -> f64 {
     place.uniform_scale().unwrap_or_else(|| {
-        draft.notices.note("round shapes scaled differently along their axes: shown with the mean", node.span.clone());
+        draft
+            .notices
+            .note("round shapes scaled differently along their axes: shown with the mean", node.span.clone());
         (place.x.length() + place.y.length() + place.z.length()) / 3.0
     })
 }

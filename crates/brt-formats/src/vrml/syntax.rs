@@ -110,7 +110,9 @@ impl<'b> Parser<'b> {
             b'{' | b'}' | b'[' | b']' => 1,
             b'"' => text_length(rest),
             _ => {
-                let ends = |b: &u8| b.is_ascii_whitespace() || matches!(b, b',' | b'{' | b'}' | b'[' | b']' | b'"' | b'#');
+                let ends = |b: &u8| {
+                    b.is_ascii_whitespace() || matches!(b, b',' | b'{' | b'}' | b'[' | b']' | b'"' | b'#')
+                };
                 rest.iter().position(ends).unwrap_or(rest.len())
             }
         };

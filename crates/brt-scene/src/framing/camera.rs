@@ -17,7 +17,11 @@ pub fn framed_camera(scene: &Scene, framing: &Framing) -> Camera {
     let reach = Reach { scene };
     let shorter = f64::from(framing.size[0].min(framing.size[1]).max(1));
     let sides = framing.size.map(|side| f64::from(side.max(1)) / shorter);
-    if framing.parallel { parallel(reach, axes, sides, framing) } else { perspective(reach, axes, sides, framing) }
+    if framing.parallel {
+        parallel(reach, axes, sides, framing)
+    } else {
+        perspective(reach, axes, sides, framing)
+    }
 }
 
 /// Each of the picture's four edges is a plane through the eye that no point may be beyond, for which only the
@@ -141,7 +145,8 @@ mod tests {
     #[test]
     fn zoom_enlarges_around_the_middle() {
         let scene = bar();
-        let [a, b] = [1.0, 2.0].map(|zoom| framed_camera(&scene, &Framing { zoom, ..Framing::new(Up::PlusZ) }));
+        let [a, b] =
+            [1.0, 2.0].map(|zoom| framed_camera(&scene, &Framing { zoom, ..Framing::new(Up::PlusZ) }));
         let p = vec3(110.0, -5.0, 3.0);
         assert!((projected(&b, p)[0] - 2.0 * projected(&a, p)[0]).abs() < 1e-9);
     }
