@@ -20,7 +20,7 @@ pub struct Loaded {
     pub report: Report,
     /// What the file itself says about how it is looked at.
     pub given: Given,
-    /// The file's text, for whoever draws the report; empty where no position refers to it.
+    /// The file's text, for whoever draws the report; empty for binary files.
     pub text: String,
 }
 
@@ -198,9 +198,14 @@ fn with_path(error: ParseError, path: &Path, bytes: Vec<u8>) -> LoadError {
     }
 }
 
-/// The text that a report's positions are in.
+/// The text that a report's positions are in. Binary formats have neither; text is not copied.
 fn text_for(report: &Report, bytes: Vec<u8>) -> String {
-    if report.diagnostics.iter().any(|d| d.span.is_some()) { text_of(bytes) } else { String::new() }
+    let has_places = report.diagnostics.iter().any(|d| d.span.is_some());
+    match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) if has_places => text_of(error.into_bytes()),
+        Err(_) => String::new(),
+    }
 }
 
 /// The bytes as text of the same length: old files have comments in old encodings, and positions must stay.

@@ -12,7 +12,7 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
     let kind = accessor.data_type();
     let components = accessor.dimensions().multiplicity();
     if components < N {
-        return Err(at(accessor, format!("has {components} numbers a row, expected {N}")));
+        return Err(at(accessor, &format!("has {components} numbers a row, expected {N}")));
     }
     let scale = if accessor.normalized() { 1.0 / greatest(kind) } else { 1.0 };
     let size = kind.size();
@@ -32,7 +32,7 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
             slice.iter().map(row).collect()
         }
         None if accessor.sparse().is_some() => vec![[0.0; N]; accessor.count()],
-        None => return Err(at(accessor, "has no data".to_owned())),
+        None => return Err(at(accessor, "has no data")),
     };
     if let Some(sparse) = accessor.sparse() {
         let (indices, values) = (sparse.indices(), sparse.values());
@@ -50,7 +50,7 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
             let i = scalar(index_kind, place) as usize;
             *rows
                 .get_mut(i)
-                .ok_or_else(|| at(accessor, format!("has a sparse index {i} beyond its end")))? = row(value);
+                .ok_or_else(|| at(accessor, &format!("has a sparse index {i} beyond its end")))? = row(value);
         }
     }
     Ok(rows)
@@ -60,7 +60,7 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
 pub(super) fn indices(accessor: &Accessor, buffers: &Buffers) -> Result<Vec<u32>, Stop> {
     let kind = accessor.data_type();
     if kind == DataType::F32 {
-        return Err(at(accessor, "has floats where whole numbers are expected".to_owned()));
+        return Err(at(accessor, "has floats where whole numbers are expected"));
     }
     Ok(rows::<1>(accessor, buffers)?.iter().map(|[i]| *i as u32).collect())
 }
@@ -93,7 +93,7 @@ impl<'b> Strided<'b> {
         };
         match range() {
             Some(bytes) => Ok(Self { bytes, stride: stride.max(1), row, count }),
-            None => Err(at(accessor, format!("reaches beyond the end of buffer view {}", view.index()))),
+            None => Err(at(accessor, &format!("reaches beyond the end of buffer view {}", view.index()))),
         }
     }
 
@@ -103,7 +103,7 @@ impl<'b> Strided<'b> {
     }
 }
 
-fn at(accessor: &Accessor, what: String) -> Stop {
+fn at(accessor: &Accessor, what: &str) -> Stop {
     fault(format!("accessor {} {what}", accessor.index()), None)
 }
 

@@ -53,7 +53,7 @@ impl Walk<'_> {
         }
         let place = outer.after(&local(node));
         if let Some(mesh) = node.mesh() {
-            let name = node.name().or_else(|| mesh.name()).map(str::to_owned);
+            let name = node.name().or_else(|| mesh.name());
             self.mesh(&mesh, &place, name, draft)?;
         }
         if let Some(camera) = node.camera() {
@@ -77,7 +77,7 @@ impl Walk<'_> {
         &mut self,
         mesh: &gltf::Mesh,
         place: &Affine,
-        name: Option<String>,
+        name: Option<&str>,
         draft: &mut Draft,
     ) -> Result<(), Stop> {
         for primitive in mesh.primitives() {
@@ -87,12 +87,7 @@ impl Walk<'_> {
                 Some(&material) => material,
                 None => draft.plain(),
             };
-            draft.add_geometry(
-                geometry.moved(place),
-                Some(&Crease::new(CREASE_DEG)),
-                material,
-                name.clone(),
-            )?;
+            draft.add_geometry(geometry.moved(place), Some(&Crease::new(CREASE_DEG)), material, name)?;
         }
         Ok(())
     }

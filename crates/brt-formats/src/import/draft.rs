@@ -90,18 +90,18 @@ impl Draft {
         mut geometry: Geometry,
         crease: Option<&Crease>,
         material: MaterialId,
-        name: Option<String>,
+        name: Option<&str>,
     ) -> Result<(), LimitExceeded> {
         self.counter.points(geometry.positions.len())?;
         self.counter.objects(geometry.triangles.len())?;
         if geometry.normals.iter().any(|n| n.try_normalize().is_none()) {
-            self.notices.note("mesh with normals that have no direction: its own are computed", part(&name));
+            self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
             geometry.normals.clear();
         }
         // Smoothing groups are one per triangle and cannot lose any.
         if !crease.is_some_and(Crease::has_groups) {
             let flat = geometry.drop_degenerate();
-            self.notices.note_many("triangles without an area left out", flat, part(&name));
+            self.notices.note_many("triangles without an area left out", flat, part(name));
         }
         let parts = match crease {
             Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease),
@@ -112,7 +112,11 @@ impl Draft {
                 continue;
             }
             let material = color.map_or(material, |color| self.tinted(material, color));
-            self.scene.objects.push(Object { name: name.clone(), shape: part.into_shape(), material });
+            self.scene.objects.push(Object {
+                name: name.map(str::to_owned),
+                shape: part.into_shape(),
+                material,
+            });
         }
         Ok(())
     }
@@ -133,10 +137,10 @@ impl Draft {
         &mut self,
         shape: Shape,
         material: MaterialId,
-        name: Option<String>,
+        name: Option<&str>,
     ) -> Result<(), LimitExceeded> {
         self.counter.objects(1)?;
-        self.scene.objects.push(Object { name, shape, material });
+        self.scene.objects.push(Object { name: name.map(str::to_owned), shape, material });
         Ok(())
     }
 
@@ -186,8 +190,8 @@ impl Draft {
     }
 }
 
-fn part(name: &Option<String>) -> String {
-    name.as_ref().map_or("a part without a name".to_owned(), |name| format!("`{name}`"))
+fn part(name: Option<&str>) -> String {
+    name.map_or("a part without a name".to_owned(), |name| format!("`{name}`"))
 }
 
 /// Gives materials of the same name numbers: scenes are written by these names.

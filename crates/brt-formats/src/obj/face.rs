@@ -68,7 +68,7 @@ impl Chunk {
         &mut self,
         draft: &mut Draft,
         material: brt_scene::MaterialId,
-        name: Option<String>,
+        name: Option<&str>,
         has_groups: bool,
     ) -> Result<(), Stop> {
         let Self { mut geometry, groups, lacks_normals, .. } = std::mem::take(self);

@@ -152,7 +152,7 @@ impl Reader<'_> {
             None if self.chunk.is_empty() => return Ok(()),
             None => draft.plain(),
         };
-        self.chunk.add_to(draft, material, self.name.clone(), self.has_groups)
+        self.chunk.add_to(draft, material, self.name.as_deref(), self.has_groups)
     }
 }
 

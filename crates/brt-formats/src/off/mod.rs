@@ -50,7 +50,7 @@ fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
         }
     }
     let faces = read_faces(&mut words, faces, &geometry.positions, draft)?;
-    add_faces(geometry, faces, draft)
+    add_faces(&geometry, faces, draft)
 }
 
 fn read_kind(words: &mut Words) -> Result<Kind, Stop> {
@@ -102,7 +102,7 @@ fn read_faces(words: &mut Words, count: u32, positions: &[Vec3], draft: &mut Dra
 
 /// Whole numbers are codes; with a point they are light. One number is an index of a table that nobody has.
 fn color_of(numbers: &[Word]) -> Option<Rgb> {
-    let channels: Vec<f64> = numbers.iter().take(3).map_while(|word| word.finite()).collect();
+    let channels: Vec<f64> = numbers.iter().take(3).map_while(Word::finite).collect();
     let &[r, g, b] = &channels[..] else { return None };
     let whole = numbers.iter().take(3).all(|word| !word.bytes.contains(&b'.'));
     Some(if whole {
@@ -118,7 +118,7 @@ fn codes(color: Rgb) -> [u8; 3] {
 }
 
 /// One mesh for each colour of faces.
-fn add_faces(geometry: Geometry, mut faces: Faces, draft: &mut Draft) -> Result<(), Stop> {
+fn add_faces(geometry: &Geometry, mut faces: Faces, draft: &mut Draft) -> Result<(), Stop> {
     // Stable: faces of one colour stay in the file's order.
     faces.sort_by_key(|(_, color)| *color);
     for group in faces.chunk_by(|a, b| a.1 == b.1) {

@@ -27,7 +27,7 @@ pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError
 
 fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
     let mut reader = Reader::new(Cursor::new(bytes));
-    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(broken)?;
+    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(|error| broken(&error))?;
     check_counts(&header, bytes.len(), draft)?;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (name, element) in &header.elements {
@@ -35,12 +35,12 @@ fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
             "vertex" => {
                 vertices = Parser::<Vertex>::new()
                     .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
+                    .map_err(|error| broken(&error))?;
             }
             "face" => {
                 faces = Parser::<Face>::new()
                     .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
+                    .map_err(|error| broken(&error))?;
             }
             _ => {
                 draft.notices.note_many(
@@ -50,7 +50,7 @@ fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
                 );
                 Parser::<Ignored>::new()
                     .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(broken)?;
+                    .map_err(|error| broken(&error))?;
             }
         }
     }
@@ -116,7 +116,7 @@ fn geometry_of(
     Ok(geometry)
 }
 
-fn broken(error: PlyError) -> Stop {
+fn broken(error: &PlyError) -> Stop {
     // The crate shows whole lines of the file; the first line of its message is enough.
     let text = error.to_string();
     fault(text.lines().next().unwrap_or_default().chars().take(200).collect::<String>(), None)

@@ -42,6 +42,6 @@ impl Solid {
         let Self { name, weld, triangles } = self;
         let geometry = Geometry { positions: weld.positions, triangles, ..Geometry::default() };
         let material = draft.plain();
-        Ok(draft.add_geometry(geometry, Some(&Crease::new(CREASE_DEG)), material, name)?)
+        Ok(draft.add_geometry(geometry, Some(&Crease::new(CREASE_DEG)), material, name.as_deref())?)
     }
 }

@@ -81,7 +81,12 @@ impl Builder<'_, '_> {
                 triangles.iter_mut().for_each(|t| t.swap(1, 2));
             }
             let part = whole.part(triangles);
-            self.draft.add_geometry(part, Some(&Crease::new(CREASE_DEG)), material, object.name.clone())?;
+            self.draft.add_geometry(
+                part,
+                Some(&Crease::new(CREASE_DEG)),
+                material,
+                object.name.as_deref(),
+            )?;
         }
         Ok(())
     }

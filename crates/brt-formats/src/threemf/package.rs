@@ -29,8 +29,11 @@ fn model_name(archive: &mut ZipArchive<Cursor<&[u8]>>, limits: &Limits) -> Resul
             return Ok(name);
         }
     }
-    let found =
-        archive.file_names().filter_map(Result::ok).map(|name| name.into_owned()).find(|name| is_model(name));
+    let found = archive
+        .file_names()
+        .filter_map(Result::ok)
+        .map(std::borrow::Cow::into_owned)
+        .find(|name| is_model(name));
     found.ok_or_else(|| fault("there is no model in this zip file", None))
 }
 
