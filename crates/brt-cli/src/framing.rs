@@ -27,6 +27,9 @@ pub(crate) struct ViewOptions {
     /// Put an endless floor under everything
     #[arg(long)]
     floor: bool,
+    /// Four views in one picture: iso, front, right and top
+    #[arg(long, conflicts_with_all = ["view", "pixel", "layers", "stats", "verify", "max_error", "no_save"])]
+    pub(crate) sheet: bool,
     /// Colour of all that the file gives none: #rrggbb or a name
     #[arg(long, value_name = "COLOR", value_parser = values::color)]
     color: Option<Rgb>,
@@ -35,30 +38,45 @@ pub(crate) struct ViewOptions {
 impl ViewOptions {
     /// Changes the scene as the options ask for.
     pub(crate) fn apply(&self, scene: &mut Scene, given: &Given, size: [u32; 2]) -> Result<(), Failure> {
+        self.paint(scene, given)?;
+        if self.frames(given) {
+            self.look(scene, given, self.view, size);
+        }
+        self.stand(scene, given);
+        Ok(())
+    }
+
+    /// `--color`
+    pub(crate) fn paint(&self, scene: &mut Scene, given: &Given) -> Result<(), Failure> {
         if let Some(color) = self.color {
             let Some(plain) = given.plain else {
                 return Err(wrong_use("`--color` is for files without colours, and this one has its own"));
             };
             scene.materials[plain.0 as usize].color = color;
         }
-        let up = self.up.unwrap_or(given.up);
-        if self.frames(given) {
-            let framing = Framing {
-                view: self.view.unwrap_or_default(),
-                up,
-                zoom: self.zoom.unwrap_or(1.0),
-                parallel: self.parallel,
-                size,
-            };
-            scene.camera = framed_camera(scene, &framing);
-            if !given.lights {
-                scene.lights = studio_lights(&scene.camera);
-            }
-        }
-        if self.floor {
-            add_floor(scene, up);
-        }
         Ok(())
+    }
+
+    /// Looks at everything from a side, by default iso.
+    pub(crate) fn look(&self, scene: &mut Scene, given: &Given, view: Option<View>, size: [u32; 2]) {
+        let framing = Framing {
+            view: view.unwrap_or_default(),
+            up: self.up.unwrap_or(given.up),
+            zoom: self.zoom.unwrap_or(1.0),
+            parallel: self.parallel,
+            size,
+        };
+        scene.camera = framed_camera(scene, &framing);
+        if !given.lights {
+            scene.lights = studio_lights(&scene.camera);
+        }
+    }
+
+    /// `--floor`
+    pub(crate) fn stand(&self, scene: &mut Scene, given: &Given) {
+        if self.floor {
+            add_floor(scene, self.up.unwrap_or(given.up));
+        }
     }
 
     /// Is the view chosen here, and not by the file?

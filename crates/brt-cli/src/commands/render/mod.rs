@@ -4,6 +4,7 @@ mod method;
 mod options;
 mod paper;
 mod pixel;
+mod sheet;
 mod stats_file;
 mod summary;
 mod targets;
@@ -34,6 +35,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     // Its text may be large.
     let mut scene = input.scene;
     let settings = settings(options, method, &scene)?;
+    if options.view.sheet {
+        sheet::render(options, &targets, &mut scene, &input.given, &settings)?;
+        return Ok(Outcome::Done);
+    }
     options.view.apply(&mut scene, &input.given, settings.size)?;
     let load = begin.elapsed().as_secs_f64();
     if let Some(pixel) = options.pixel {
