@@ -16,7 +16,7 @@ pub struct Foreign {
 
 const EXPORT_PART: &str = "export STL, 3MF or GLB";
 const EXPORT_SCENE: &str = "export GLB or OBJ";
-const EXPORT_MOLECULE: &str = "PyMOL's `save x.wrl` and ASE's exports can be read";
+const EXPORT_MOLECULE: &str = "PyMOL's `save x.wrl` writes what can be read";
 
 const fn foreign(
     name: &'static str,
