@@ -60,8 +60,12 @@ pub use brt_geometry as geometry;
 pub use brt_image as image;
 pub use brt_render as rendering;
 pub use brt_scene as scene;
+pub use brt_scene::framing;
 
-pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, write, write_toml};
+pub use brt_formats::{
+    Format, Given, Imported, Limits, LoadError, Loaded, Written, import, load, load_as, parse, write,
+    write_toml,
+};
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{
     BitDepth, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb,

@@ -8,13 +8,14 @@ use brt::{BitDepth, CheckedPixels, Limits, PictureLayer, Samples};
 use clap::{ArgAction, Args, ValueEnum};
 
 use super::paper::PaperOptions;
-use crate::scene_input::LimitOptions;
+use crate::framing::ViewOptions;
+use crate::scene_input::InputOptions;
 use crate::values;
 
 /// Options of `brt render`.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
-    /// Scene file; `-` reads TOML from standard input
+    /// Scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
     /// Same as --output
@@ -85,9 +86,12 @@ pub(crate) struct Options {
     /// Options of the methods of 1987
     #[command(flatten)]
     pub(crate) paper: PaperOptions,
-    /// Options that bound the scene
+    /// Options for looking at the scene
     #[command(flatten)]
-    pub(crate) limits: LimitOptions,
+    pub(crate) view: ViewOptions,
+    /// Options for reading the scene
+    #[command(flatten)]
+    pub(crate) reading: InputOptions,
     /// Refuse pictures of more pixels
     #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS, help_heading = "Limits")]
     pub(crate) max_pixels: u64,
