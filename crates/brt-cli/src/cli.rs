@@ -1,9 +1,9 @@
 //! The command line: subcommands and their dispatch.
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::commands::{compare, convert, formats, inspect, paper, peers, render, scene};
+use crate::commands::{compare, convert, formats, inspect, paper, peers, render, scene, shell};
 use crate::exit::{Failure, Outcome};
 
 /// Border ray tracing: noise-free stills whose cost grows with the borders in the picture, not with its pixels.
@@ -32,6 +32,10 @@ enum Command {
     Paper(paper::Options),
     /// Time the same scenes in POV-Ray and Tachyon, and compare the pictures
     Peers(peers::Options),
+    /// Print a script that completes `brt` in a shell
+    Completions(shell::Options),
+    /// Print the manual page
+    Man,
 }
 
 /// Does what the command line asks for.
@@ -49,6 +53,8 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
         Command::Formats => formats::run(),
         Command::Paper(options) => paper::run(&options),
         Command::Peers(options) => peers::run(&options),
+        Command::Completions(options) => shell::completions(&options, Cli::command()),
+        Command::Man => shell::man(Cli::command()),
     }
 }
 
@@ -67,7 +73,6 @@ fn no_command(error: clap::Error) -> Result<Outcome, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn definition_is_sound() {

@@ -4,7 +4,19 @@ use std::ffi::OsString;
 use std::path::Path;
 
 /// Our subcommands.
-const COMMANDS: [&str; 7] = ["render", "compare", "inspect", "convert", "scene", "formats", "help"];
+const COMMANDS: [&str; 11] = [
+    "render",
+    "compare",
+    "inspect",
+    "convert",
+    "scene",
+    "formats",
+    "paper",
+    "peers",
+    "completions",
+    "man",
+    "help",
+];
 
 /// What options of POV-Ray, Tachyon and others are called here: beginnings of words, and whether the whole word must
 /// be the same.

@@ -7,6 +7,7 @@ mod cli;
 mod commands;
 mod diagnostics;
 mod exit;
+mod framing;
 mod habits;
 mod interrupt;
 mod json;

@@ -4,11 +4,25 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use brt::formats::{LimitExceeded, LimitKind, ParseError};
-use brt::{Format, Limits, LoadError, Report, Scene, library, load, parse};
+use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, import, library, load_as};
 use clap::Args;
 
 use crate::exit::{Failure, wrong_use};
-use crate::{diagnostics, output};
+use crate::{diagnostics, output, values};
+
+/// Options for how a scene file is read.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct InputOptions {
+    /// Format of the scene file [default: by content and name; TOML on standard input that looks like nothing else]
+    #[arg(long, value_name = "FORMAT", value_parser = values::input_format())]
+    input_format: Option<Format>,
+    /// Refuse scenes in which anything was not understood
+    #[arg(long)]
+    strict: bool,
+    /// Options that bound the scene
+    #[command(flatten)]
+    limits: LimitOptions,
+}
 
 /// Options that bound what a scene file may ask for.
 #[derive(Clone, Copy, Debug, Args)]
@@ -20,13 +34,16 @@ pub(crate) struct LimitOptions {
     /// Refuse larger scene files [default: 1073741824]
     #[arg(long, value_name = "N")]
     max_bytes: Option<u64>,
+    /// Read files that the scene names from outside of its folder, too
+    #[arg(long)]
+    allow_outside: bool,
 }
 
 impl LimitOptions {
     /// The limits, with those that have no option of their own raised along: a file has fewer words than bytes, and a
     /// triangle has three points.
     pub(crate) fn limits(self, max_pixels: u64) -> Limits {
-        let Self { max_objects, max_bytes } = self;
+        let Self { max_objects, max_bytes, allow_outside } = self;
         let defaults = Limits::default();
         Limits {
             bytes: max_bytes.unwrap_or(defaults.bytes),
@@ -34,6 +51,7 @@ impl LimitOptions {
             objects: max_objects,
             points: defaults.points.max(max_objects.saturating_mul(3)),
             max_picture_pixels: max_pixels,
+            files_outside: allow_outside,
         }
     }
 }
@@ -42,6 +60,7 @@ impl LimitOptions {
 pub(crate) struct SceneInput {
     pub(crate) scene: Scene,
     pub(crate) report: Report,
+    pub(crate) given: Given,
     text: String,
     name: String,
 }
@@ -60,26 +79,39 @@ pub(crate) fn is_dash(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// Reads a scene from a file, or as TOML from standard input. Errors in it are drawn.
-pub(crate) fn read(path: &Path, limits: &Limits) -> Result<SceneInput, Failure> {
-    if is_dash(path) { read_stdin(limits) } else { read_file(path, limits) }
+/// Reads a scene from a file or from standard input. Errors in it are drawn; with `--strict`, warnings are errors.
+pub(crate) fn read(path: &Path, options: &InputOptions, max_pixels: u64) -> Result<SceneInput, Failure> {
+    let limits = options.limits.limits(max_pixels);
+    let format = options.input_format;
+    let input = if is_dash(path) { read_stdin(format, &limits) } else { read_file(path, format, &limits) }?;
+    if options.strict && !input.report.diagnostics.is_empty() {
+        input.show_warnings();
+        let count = input.report.diagnostics.len();
+        return Err(
+            anyhow::anyhow!("{}: {count} warnings, which `--strict` does not let pass", input.name).into()
+        );
+    }
+    Ok(input)
 }
 
-fn read_file(path: &Path, limits: &Limits) -> Result<SceneInput, Failure> {
+fn read_file(path: &Path, format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = path.display().to_string();
-    match load(path, limits) {
-        Ok(loaded) => Ok(SceneInput { scene: loaded.scene, report: loaded.report, text: loaded.text, name }),
+    match load_as(path, format, limits) {
+        Ok(Loaded { scene, report, given, text }) => Ok(SceneInput { scene, report, given, text, name }),
         Err(LoadError::Malformed { report, text, .. }) => Err(malformed(&report, &name, &text)),
         Err(error) => Err(cannot_load(path, error)),
     }
 }
 
-fn read_stdin(limits: &Limits) -> Result<SceneInput, Failure> {
+fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = "standard input".to_owned();
     let mut bytes = Vec::new();
     io::stdin().lock().take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes)?;
-    match parse(Format::Toml, &bytes, limits) {
-        Ok((scene, report)) => Ok(SceneInput { scene, report, text: text_of(bytes), name }),
+    let format = format.or_else(|| Format::from_content(&bytes)).unwrap_or(Format::Toml);
+    match import(format, &bytes, None, limits) {
+        Ok(Imported { scene, report, given }) => {
+            Ok(SceneInput { scene, report, given, text: text_of(bytes), name })
+        }
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
         Err(error) => {
             let hint = match &error {
@@ -91,7 +123,7 @@ fn read_stdin(limits: &Limits) -> Result<SceneInput, Failure> {
     }
 }
 
-/// TOML that was understood this far is UTF-8.
+/// The text that positions are in; binary formats have none.
 fn text_of(bytes: Vec<u8>) -> String {
     String::from_utf8(bytes).unwrap_or_default()
 }

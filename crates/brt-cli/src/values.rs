@@ -1,6 +1,7 @@
 //! Values on the command line.
 
-use brt::{BitDepth, PictureLayer, Samples};
+use brt::framing::{Up, View};
+use brt::{BitDepth, Format, PictureLayer, Rgb, Samples, Transfer, rgb};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// `WIDTHxHEIGHT` in pixels.
@@ -17,6 +18,73 @@ pub(crate) fn pixel(text: &str) -> Result<[u32; 2], String> {
     let (x, y) = text.split_once(',').ok_or_else(expected)?;
     let coordinate = |text: &str| text.trim().parse::<u32>().map_err(|_| expected());
     Ok([coordinate(x)?, coordinate(y)?])
+}
+
+/// A view by its name or its angles.
+pub(crate) fn view(text: &str) -> Result<View, String> {
+    if let Some((_, view)) = View::NAMED.into_iter().find(|(name, _)| *name == text) {
+        return Ok(view);
+    }
+    let degrees = |text: &str| text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
+    let angles = text.split_once(',').and_then(|(a, e)| Some((degrees(a)?, degrees(e)?)));
+    match angles {
+        Some((azimuth_deg, elevation_deg)) if elevation_deg.abs() <= 90.0 => {
+            Ok(View::Angles { azimuth_deg, elevation_deg })
+        }
+        _ => {
+            let names: Vec<&str> = View::NAMED.iter().map(|(name, _)| *name).collect();
+            Err(format!("expected {} or AZIMUTH,ELEVATION in degrees, such as -30,20", names.join(", ")))
+        }
+    }
+}
+
+/// A signed axis.
+pub(crate) fn up(text: &str) -> Result<Up, String> {
+    let name = text.to_ascii_lowercase();
+    let named = |(known, _): &(&str, Up)| *known == name || known.strip_prefix('+') == Some(&name);
+    let found = Up::ALL.into_iter().find(named);
+    found.map(|(_, up)| up).ok_or_else(|| "expected one of +x, -x, +y, -y, +z, -z".to_owned())
+}
+
+/// A finite number above 0.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|n| n.is_finite() && *n > 0.0);
+    number.ok_or_else(|| "expected a number above 0".to_owned())
+}
+
+/// An sRGB colour as linear light.
+pub(crate) fn color(text: &str) -> Result<Rgb, String> {
+    const NAMES: [(&str, u32); 12] = [
+        ("black", 0x00_0000),
+        ("white", 0xff_ffff),
+        ("grey", 0x80_8080),
+        ("gray", 0x80_8080),
+        ("silver", 0xc0_c0c0),
+        ("red", 0xd0_3030),
+        ("orange", 0xe0_8020),
+        ("yellow", 0xe8_d040),
+        ("green", 0x40_a040),
+        ("blue", 0x30_60c0),
+        ("purple", 0x80_40a0),
+        ("brown", 0x80_5030),
+    ];
+    let by_name = NAMES.iter().find(|(name, _)| *name == text).map(|(_, code)| *code);
+    let digits = text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
+    let code = by_name.or_else(|| u32::from_str_radix(digits?, 16).ok());
+    let code = code.ok_or_else(|| {
+        let names: Vec<&str> = NAMES.iter().map(|(name, _)| *name).collect();
+        format!("expected #rrggbb or one of {}", names.join(", "))
+    })?;
+    let channel = |shift: u32| Transfer::Srgb.decode(f64::from(code >> shift & 255) / 255.0);
+    Ok(rgb(channel(16), channel(8), channel(0)))
+}
+
+/// A scene format by its usual extension.
+pub(crate) fn input_format() -> impl TypedValueParser<Value = Format> {
+    let readable = Format::ALL.into_iter().filter(|format| format.reads());
+    let names =
+        readable.flat_map(|f| f.extensions().iter().map(move |e| PossibleValue::new(*e).help(f.name())));
+    PossibleValuesParser::new(names).try_map(|name| Format::from_name(&name).ok_or("no such format"))
 }
 
 /// A finite number, at least 0.
@@ -65,6 +133,24 @@ mod tests {
         assert_eq!(pixel("0,17"), Ok([0, 17]));
         assert!(pixel("1").is_err());
         assert!(pixel("-1,2").is_err());
+    }
+
+    #[test]
+    fn views_have_names_or_angles() {
+        assert_eq!(view("top"), Ok(View::Top));
+        assert_eq!(view("-30,20"), Ok(View::Angles { azimuth_deg: -30.0, elevation_deg: 20.0 }));
+        assert!(view("30").is_err() && view("0,91").is_err() && view("nan,0").is_err());
+        assert_eq!(up("+z"), Ok(Up::PlusZ));
+        assert_eq!(up("-Y"), Ok(Up::MinusY));
+        assert_eq!(up("z"), Ok(Up::PlusZ));
+        assert!(up("w").is_err());
+    }
+
+    #[test]
+    fn colors_are_codes_or_names() {
+        assert_eq!(color("#ffffff"), Ok(rgb(1.0, 1.0, 1.0)));
+        assert_eq!(color("black"), Ok(rgb(0.0, 0.0, 0.0)));
+        assert!(color("#fff").is_err() && color("#+12345").is_err() && color("mauve").is_err());
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use brt_scene::{Diagnostic, Report, Severity};
 use thiserror::Error;
 
-use crate::{Format, LimitKind};
+use crate::{Foreign, Format, LimitKind};
 
 /// Why a scene file could not be loaded.
 #[derive(Debug, Error)]
@@ -25,6 +25,14 @@ pub enum LoadError {
     UnknownFormat {
         /// The file.
         path: PathBuf,
+    },
+    /// The file's format is known, but not read.
+    #[error("{}: {} is not read yet: {}", path.display(), foreign.name, foreign.advice)]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        foreign: Foreign,
     },
     /// The file's format is written for other programs, but not read.
     #[error("{}: a {} can be written, but not read", path.display(), format.name())]

@@ -19,21 +19,32 @@
 
 mod dat;
 mod error;
+mod foreign;
 mod format;
+mod gltf;
+mod import;
 mod limits;
 mod load;
 mod losses;
 mod nff;
 mod numerals;
+mod obj;
+mod off;
+mod ply;
 mod pov;
 mod problems;
+mod stl;
+mod threemf;
 mod toml;
 mod view;
+mod vrml;
+mod words;
 mod write;
 
 pub use error::{LimitExceeded, LoadError, OnlyRead, ParseError};
+pub use foreign::Foreign;
 pub use format::Format;
 pub use limits::{LimitKind, Limits};
-pub use load::{Loaded, load, parse};
+pub use load::{Given, Imported, Loaded, import, load, load_as, parse};
 pub use toml::write_toml;
 pub use write::{Written, write};

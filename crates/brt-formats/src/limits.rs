@@ -20,6 +20,8 @@ pub struct Limits {
     pub points: u64,
     /// Greatest number of pixels that the file's picture size may ask for.
     pub max_picture_pixels: u64,
+    /// May a file name others outside of its own folder? They are read as far as [`bytes`](Self::bytes) goes.
+    pub files_outside: bool,
 }
 
 impl Limits {
@@ -33,6 +35,8 @@ impl Limits {
     pub const DEFAULT_POINTS: u64 = 100_000_000;
     /// Default of [`max_picture_pixels`](Self::max_picture_pixels): a picture of 131072 × 131072.
     pub const DEFAULT_PICTURE_PIXELS: u64 = 1 << 34;
+    /// Groups, nodes and components may nest this deep; no real file comes near it.
+    pub(crate) const NESTING: usize = 64;
 
     pub(crate) fn allows(&self, kind: LimitKind, count: u64) -> Result<(), LimitExceeded> {
         let limit = match kind {
@@ -54,6 +58,7 @@ impl Default for Limits {
             objects: Self::DEFAULT_OBJECTS,
             points: Self::DEFAULT_POINTS,
             max_picture_pixels: Self::DEFAULT_PICTURE_PIXELS,
+            files_outside: false,
         }
     }
 }

@@ -4,9 +4,12 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-use brt_scene::{Report, Scene};
+use brt_scene::framing::Up;
+use brt_scene::{MaterialId, Report, Scene};
 
-use crate::{Format, LimitExceeded, LimitKind, Limits, LoadError, ParseError, nff, toml};
+use crate::import::Beside;
+use crate::{Foreign, Format, LimitExceeded, LimitKind, Limits, LoadError, ParseError};
+use crate::{gltf, nff, obj, off, ply, stl, threemf, toml, vrml};
 
 /// A scene file that was read.
 #[derive(Clone, Debug)]
@@ -15,43 +18,145 @@ pub struct Loaded {
     pub scene: Scene,
     /// Warnings; positions are byte offsets in `text`.
     pub report: Report,
-    /// The file's text, for whoever draws the report.
+    /// What the file itself says about how it is looked at.
+    pub given: Given,
+    /// The file's text, for whoever draws the report; empty for binary files.
     pub text: String,
 }
 
-/// Reads a scene file; its format is known by its extension, else by its content.
+/// A scene that was made of bytes.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The scene; its check finds nothing.
+    pub scene: Scene,
+    /// Warnings; positions are offsets in the bytes.
+    pub report: Report,
+    /// What the file itself says about how it is looked at.
+    pub given: Given,
+}
+
+/// What a file says about how it is looked at; the rest was chosen by [`brt_scene::framing`] and may be chosen anew.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// Has it a camera?
+    pub camera: bool,
+    /// Has it lights?
+    pub lights: bool,
+    /// Has it a background?
+    pub background: bool,
+    /// The material of everything that the file gives no colour, if there is such a thing.
+    pub plain: Option<MaterialId>,
+    /// What is up, as its format or program has it.
+    pub up: Up,
+}
+
+impl Given {
+    /// A file that shows things and says nothing about how.
+    pub(crate) fn nothing() -> Self {
+        Self { camera: false, lights: false, background: false, plain: None, up: Up::PlusZ }
+    }
+
+    /// A file that says everything.
+    pub(crate) fn everything(up: Up) -> Self {
+        Self { camera: true, lights: true, background: true, plain: None, up }
+    }
+}
+
+/// Reads a scene file; its format is known by its content where that is sure, else by its extension.
 ///
 /// # Errors
 /// See [`LoadError`]. At most [`Limits::bytes`] + 1 bytes are read, from devices without an end, too. A named pipe
 /// is refused, since opening it may wait for ever.
 pub fn load(path: &Path, limits: &Limits) -> Result<Loaded, LoadError> {
+    load_as(path, None, limits)
+}
+
+/// Reads a scene file in a format, or as [`load`] does where none is named.
+///
+/// # Errors
+/// See [`load`].
+pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Loaded, LoadError> {
     let bytes =
         read_file(path, limits.bytes).map_err(|source| LoadError::Io { path: path.to_owned(), source })?;
     if let Err(exceeded) = limits.allows(LimitKind::Bytes, bytes.len() as u64) {
         return Err(LoadError::LimitExceeded { path: path.to_owned(), exceeded });
     }
-    let Some(format) = Format::from_path(path).or_else(|| Format::from_content(&bytes)) else {
-        return Err(LoadError::UnknownFormat { path: path.to_owned() });
+    let format = match format.or_else(|| format_of(path, &bytes)) {
+        Some(format) => format,
+        None => {
+            let path = path.to_owned();
+            return Err(match Foreign::of(&path, &bytes) {
+                Some(foreign) => LoadError::Foreign { path, foreign },
+                None => LoadError::UnknownFormat { path },
+            });
+        }
     };
-    match parse(format, &bytes, limits) {
-        Ok((scene, report)) => Ok(Loaded { scene, report, text: text_of(bytes) }),
+    // The folder of a bare name is the current one.
+    let folder =
+        path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    match import(format, &bytes, folder, limits) {
+        Ok(Imported { scene, report, given }) => {
+            let text = text_for(&report, bytes);
+            Ok(Loaded { scene, report, given, text })
+        }
         Err(error) => Err(with_path(error, path, bytes)),
     }
 }
 
-/// Reads a scene from bytes. Positions in the report are offsets in `bytes`.
+/// A model's name is often wrong (`.obj` for anything), so what is sure by content comes first; text that could be
+/// anything is what its name says.
+fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
+    let by_name = Format::from_path(path);
+    let by_content = || Format::from_content(bytes);
+    match by_name {
+        // Both are read as what they are called: their errors are better than a guess.
+        Some(Format::Toml | Format::Nff | Format::Pov | Format::Dat) => by_name,
+        Some(Format::Stl | Format::Gltf | Format::Obj | Format::ThreeMf) => match by_content() {
+            Some(other @ (Format::Gltf | Format::ThreeMf | Format::Ply | Format::Vrml)) => Some(other),
+            _ => by_name,
+        },
+        Some(_) => by_name,
+        None if Foreign::of(path, bytes).is_some() => None,
+        None => by_content(),
+    }
+}
+
+/// Reads a scene from bytes. Positions in the report are offsets in `bytes`. Other files that the scene names are not
+/// read: see [`import`].
 ///
 /// # Errors
 /// See [`ParseError`].
 pub fn parse(format: Format, bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), ParseError> {
+    import(format, bytes, None, limits).map(|Imported { scene, report, .. }| (scene, report))
+}
+
+/// Reads a scene from bytes, and the files that it names from a folder.
+///
+/// # Errors
+/// See [`ParseError`].
+pub fn import(
+    format: Format,
+    bytes: &[u8],
+    folder: Option<&Path>,
+    limits: &Limits,
+) -> Result<Imported, ParseError> {
     limits.allows(LimitKind::Bytes, bytes.len() as u64)?;
+    let complete =
+        |(scene, report): (Scene, Report), up| Imported { scene, report, given: Given::everything(up) };
+    let mut beside = Beside::new(folder, limits);
     match format {
-        Format::Toml => toml::read(bytes, limits),
-        Format::Nff => nff::read(bytes, limits),
+        Format::Toml => Ok(complete(toml::read(bytes, limits)?, Up::PlusY)),
+        Format::Nff => Ok(complete(nff::read(bytes, limits)?, Up::PlusZ)),
+        Format::Stl => stl::read(bytes, limits),
+        Format::Ply => ply::read(bytes, limits),
+        Format::Off => off::read(bytes, limits),
+        Format::Obj => obj::read(bytes, &mut beside, limits),
+        Format::Gltf => gltf::read(bytes, &mut beside, limits),
+        Format::ThreeMf => threemf::read(bytes, limits),
+        Format::Vrml => vrml::read(bytes, limits),
         Format::Pov | Format::Dat => Err(ParseError::OnlyWritten(format)),
     }
 }
-
 fn read_file(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if metadata.is_dir() {
@@ -83,10 +188,23 @@ fn with_path(error: ParseError, path: &Path, bytes: Vec<u8>) -> LoadError {
     match error {
         ParseError::OnlyWritten(format) => LoadError::OnlyWritten { path, format },
         ParseError::NotUtf8 { position } => LoadError::NotUtf8 { path, position },
-        ParseError::Malformed(report) => LoadError::Malformed { path, report, text: text_of(bytes) },
+        ParseError::Malformed(report) => {
+            let text = text_for(&report, bytes);
+            LoadError::Malformed { path, report, text }
+        }
         ParseError::LimitExceeded(LimitExceeded { what, limit }) => {
             LoadError::LimitExceeded { path, exceeded: LimitExceeded { what, limit } }
         }
+    }
+}
+
+/// The text that a report's positions are in. Binary formats have neither; text is not copied.
+fn text_for(report: &Report, bytes: Vec<u8>) -> String {
+    let has_places = report.diagnostics.iter().any(|d| d.span.is_some());
+    match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) if has_places => text_of(error.into_bytes()),
+        Err(_) => String::new(),
     }
 }
 

@@ -22,6 +22,6 @@ pub fn write(format: Format, scene: &Scene) -> Result<Written, OnlyRead> {
         Format::Toml => Ok(Written { text: write_toml(scene), report: Report::default() }),
         Format::Pov => Ok(pov::write(scene)),
         Format::Dat => Ok(dat::write(scene)),
-        Format::Nff => Err(OnlyRead(format)),
+        _ => Err(OnlyRead(format)),
     }
 }

@@ -2,32 +2,67 @@
 
 #![allow(clippy::print_stderr, reason = "a skipped test says so")]
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
-use brt_formats::{Limits, load, parse, write_toml};
+use brt_formats::{Format, Limits, load, parse, write_toml};
+
+/// The corpus, if there is one.
+fn corpus() -> Option<PathBuf> {
+    let corpus = std::env::var_os("BRT_CORPUS").map(PathBuf::from);
+    if corpus.is_none() {
+        eprintln!("SKIPPED: BRT_CORPUS is not set, no files of others are read");
+    }
+    corpus
+}
+
+fn files_below(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a folder of the corpus") {
+        let path = entry.unwrap().path();
+        if path.is_dir() { files_below(&path, files) } else { files.push(path) }
+    }
+    files.sort();
+}
 
 #[test]
-fn every_nff_file_of_the_corpus_is_a_scene() {
-    let Some(corpus) = std::env::var_os("BRT_CORPUS") else {
-        eprintln!("SKIPPED: BRT_CORPUS is not set, no files of others are read");
-        return;
-    };
+fn every_good_file_of_the_corpus_is_a_scene() {
+    let Some(corpus) = corpus() else { return };
+    let mut files = Vec::new();
+    files_below(&corpus, &mut files);
+    let mut failed = Vec::new();
     let mut count = 0;
-    for entry in std::fs::read_dir(Path::new(&corpus).join("nff")).expect("the corpus has a folder nff") {
-        let path = entry.unwrap().path();
-        let loaded = load(&path, &Limits::default()).unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!(loaded.scene.check(), [], "{}", path.display());
-        assert!(!loaded.scene.objects.is_empty(), "{}", path.display());
-        let again =
-            parse(brt_formats::Format::Toml, write_toml(&loaded.scene).as_bytes(), &Limits::default());
-        assert_eq!(again.unwrap().0, loaded.scene, "{}", path.display());
-        eprintln!(
-            "{}: {} objects, {} warnings",
-            path.display(),
-            loaded.scene.objects.len(),
-            loaded.report.diagnostics.len()
-        );
+    for path in files.iter().filter(|path| !path.starts_with(corpus.join("hostile"))) {
+        if !Format::from_path(path).is_some_and(Format::reads) {
+            continue;
+        }
         count += 1;
+        match load(path, &Limits::default()) {
+            Ok(loaded) => {
+                assert_eq!(loaded.scene.check(), [], "{}", path.display());
+                assert!(!loaded.scene.objects.is_empty(), "{}", path.display());
+                let again = parse(Format::Toml, write_toml(&loaded.scene).as_bytes(), &Limits::default());
+                assert_eq!(again.unwrap().0, loaded.scene, "{}", path.display());
+            }
+            Err(error) => failed.push(error.to_string()),
+        }
     }
-    assert!(count > 0, "the corpus has no NFF files");
+    assert!(failed.is_empty(), "{} of {count} files are not read:\n{}", failed.len(), failed.join("\n"));
+    assert!(count > 0, "the corpus has no files that are read");
+}
+
+#[test]
+fn every_hostile_file_of_the_corpus_ends_in_time() {
+    let Some(corpus) = corpus() else { return };
+    let mut files = Vec::new();
+    files_below(&corpus.join("hostile"), &mut files);
+    for path in &files {
+        let start = Instant::now();
+        match load(path, &Limits::default()) {
+            Ok(loaded) => assert_eq!(loaded.scene.check(), [], "{}", path.display()),
+            Err(error) => assert!(error.to_string().contains(&path.display().to_string()), "{error}"),
+        }
+        assert!(start.elapsed() < Duration::from_secs(10), "{}", path.display());
+    }
+    assert!(!files.is_empty(), "the corpus has no hostile files");
 }

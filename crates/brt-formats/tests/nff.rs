@@ -54,9 +54,7 @@ fn equal_fills_are_one_material() {
 #[test]
 fn lights_without_colour_share_the_intensity() {
     let (scene, _) = good(Format::Nff, NFF);
-    let color = |light: &Light| match light {
-        Light::Point { color, .. } | Light::Directional { color, .. } => *color,
-    };
+    let color = Light::color;
     // √2 / 2 for two lights
     let share = 2.0_f64.sqrt() / 2.0;
     assert_eq!(color(&scene.lights[0]), rgb(share, share, share));

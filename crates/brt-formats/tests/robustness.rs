@@ -7,7 +7,57 @@ use std::time::{Duration, Instant};
 use brt_formats::{Format, Limits, ParseError, parse};
 use common::{EVERYTHING, NFF};
 
-const FILES: [(Format, &str); 2] = [(Format::Toml, EVERYTHING), (Format::Nff, NFF)];
+/// Small files with much in them.
+fn files() -> Vec<(Format, Vec<u8>)> {
+    let mut binary = vec![b' '; 80];
+    binary.extend(2_u32.to_le_bytes());
+    binary.extend([0, 0, 128, 63].repeat(25));
+    let json = br#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"camera":0}],
+        "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+        {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],
+        "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
+        "buffers":[{"byteLength":42}]}  "#;
+    let mut glb = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
+    glb.extend((json.len() as u32).to_le_bytes());
+    glb.extend(b"JSON");
+    glb.extend(json);
+    glb.extend(42_u32.to_le_bytes());
+    glb.extend(b"BIN\0");
+    for x in [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0_f32] {
+        glb.extend(x.to_le_bytes());
+    }
+    glb.extend([0, 0, 1, 0, 2, 0]);
+    let length = glb.len() as u32;
+    glb[8..12].copy_from_slice(&length.to_le_bytes());
+    vec![
+        (Format::Toml, EVERYTHING.into()),
+        (Format::Nff, NFF.into()),
+        (Format::Stl, b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a".into()),
+        (Format::Stl, binary),
+        (Format::Off, b"COFF\n4 2 0\n0 0 0 1 0 0 1\n2 0 0 1 0 0 1\n0 1 0 1 0 0 1\n1 1 1 0 0 1 1\n3 0 1 2 255 0 0\n3 1 3 2\n".into()),
+        (Format::Ply, b"ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n1 0 0 1 2 3\n1 1 0 1 2 3\n0 1 0 1 2 3\n4 0 1 2 3\n".into()),
+        (Format::Obj, b"mtllib x\no a\nv 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nv 0 1 1\nvn 0 0 1\ns 1\nf 1//1 2//1 3//1 -1//-1\nusemtl b\ns off\nf 1 2 3\n".into()),
+        (Format::Vrml, b"#VRML V2.0 utf8\nDEF A Transform { rotation 0 0 1 1 scale 1 2 1 children [ Shape { appearance Appearance { material Material { diffuseColor 1 0 0 } } geometry IndexedFaceSet { coord Coordinate { point [0 0 0, 1 0 0, 1 1 0, 0 1 0] } coordIndex [0 1 2 3 -1] color Color { color [1 0 0] } colorPerVertex FALSE } } Shape { geometry Sphere { radius 2 } } ] }\nUSE A".into()),
+        (Format::Gltf, json.into()),
+        (Format::Gltf, glb),
+        (Format::ThreeMf, zipped()),
+    ]
+}
+
+/// Stored, so that mutations reach the XML.
+fn zipped() -> Vec<u8> {
+    use std::io::Write as _;
+    let model = br##"<model><resources><basematerials id="5"><base displaycolor="#FF0000"/></basematerials><object id="1"><mesh><vertices>
+<vertex x="0" y="0" z="0"/><vertex x="2" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices><triangles><triangle v1="0" v2="1"
+ v3="2" pid="5" p1="0"/></triangles></mesh></object></resources><build><item objectid="1"/></build></model>"##;
+    let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let stored = zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    zip.start_file("3D/a.model", stored).unwrap();
+    zip.write_all(model).unwrap();
+    zip.finish().unwrap().into_inner()
+}
 
 /// Whatever the bytes are, a scene that is returned is good, and an error says something.
 fn survives(format: Format, bytes: &[u8]) {
@@ -28,19 +78,19 @@ fn survives(format: Format, bytes: &[u8]) {
 
 #[test]
 fn every_beginning_of_a_file() {
-    for (format, text) in FILES {
-        for end in 0..text.len() {
-            survives(format, &text.as_bytes()[..end]);
+    for (format, bytes) in files() {
+        for end in 0..bytes.len() {
+            survives(format, &bytes[..end]);
         }
     }
 }
 
 #[test]
 fn two_thousand_mutations() {
-    for (format, text) in FILES {
+    for (format, original) in files() {
         let mut random = Random(0x9E37_79B9_7F4A_7C15);
         for _ in 0..2000 {
-            let mut bytes = text.as_bytes().to_vec();
+            let mut bytes = original.clone();
             for _ in 0..=random.below(3) {
                 mutate(&mut bytes, &mut random);
             }
@@ -51,8 +101,9 @@ fn two_thousand_mutations() {
 
 #[test]
 fn the_wrong_reader() {
-    survives(Format::Nff, EVERYTHING.as_bytes());
-    survives(Format::Toml, NFF.as_bytes());
+    for (_, bytes) in files() {
+        Format::ALL.into_iter().for_each(|format| survives(format, &bytes));
+    }
     for format in Format::ALL {
         for bytes in [&b""[..], &[0; 1000], &[0xFF; 1000], b"\xef\xbb\xbf", b"\n\n\n", b"#", b"\r"] {
             survives(format, bytes);

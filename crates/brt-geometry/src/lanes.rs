@@ -62,6 +62,12 @@ impl Lanes {
         Self(from_fn(f))
     }
 
+    /// Their magnitudes.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Self(from_fn(|i| self.0[i].abs()))
+    }
+
     /// Where are both the same number?
     #[inline(always)]
     pub fn equals(self, other: Self) -> LaneMask {
@@ -80,6 +86,12 @@ impl LaneMask {
     #[inline(always)]
     pub fn first(count: usize) -> Self {
         Self::from_fn(|i| i < count)
+    }
+
+    /// One bit a lane, the lowest for the first.
+    #[inline(always)]
+    pub fn bits(self) -> u8 {
+        (0..LANES).fold(0, |bits, lane| bits | u8::from(self.has(lane)) << lane)
     }
 
     /// Is this lane's answer yes?
@@ -119,7 +131,7 @@ impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
+        Self(from_fn(|i| -self.0[i]))
     }
 }
 
@@ -164,7 +176,7 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(self.0.map(f64::sqrt))
+        Self(from_fn(|i| self.0[i].sqrt()))
     }
     #[inline(always)]
     fn min(self, o: Self) -> Self {
@@ -225,6 +237,6 @@ impl Not for LaneMask {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        Self(self.0.map(|lane| !lane))
+        Self(from_fn(|i| !self.0[i]))
     }
 }

@@ -28,7 +28,7 @@ impl Shaft {
             return None;
         }
         let inverse = Taylor::constant(1.0) / along;
-        let mut shaft = Self { faces: [HalfSpace::default(); 6], count: 0 };
+        let mut shaft = Self::empty();
         for side in sides(axis, origin, direction) {
             // Slopes of the rays against the axis; the steepest bounds them all.
             let [least, greatest] = (direction.along(side) * inverse).range();
@@ -47,6 +47,16 @@ impl Shaft {
     fn add(&mut self, normal: Vec3, origin: &Vec3<Taylor>) -> Option<()> {
         let offset = origin.along(normal).range()[1];
         self.push(HalfSpace { normal, offset }, reach(normal, origin))
+    }
+
+    /// No half-space: everything.
+    pub(crate) fn empty() -> Self {
+        Self { faces: [HalfSpace::default(); 6], count: 0 }
+    }
+
+    /// Adds a half-space; its normal times the origins has terms as large as `reach`.
+    pub(crate) fn push_face(&mut self, normal: Vec3, offset: f64, reach: f64) -> Option<()> {
+        self.push(HalfSpace { normal, offset }, reach)
     }
 
     fn push(&mut self, face: HalfSpace, reach: f64) -> Option<()> {

@@ -2,7 +2,9 @@
 
 mod common;
 
-use brt_geometry::{Aabb, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Start, Taylor, Vec3};
+use brt_geometry::{
+    Aabb, Hit, LANES, LaneRays, Lanes, Mask, Primitive, Ray, RayBlock, Real, Shaft, Start, Taylor, Vec3, vec3,
+};
 use brt_testkit::Random;
 use common::{KINDS, random_primitive};
 
@@ -192,6 +194,36 @@ fn what_a_shaft_misses_no_ray_hits() {
             if shaft.misses(&primitive) {
                 missed += 1;
                 let mut hits = view.rays().map(|ray| primitive.first_hit(&ray, Start::Elsewhere));
+                assert!(!hits.any(|hit| hit.found && hit.t <= end), "{primitive:?}");
+            }
+        }
+        // Infinite planes are never missed.
+        assert!(missed > 500 || kind == 1, "kind {kind}: {missed}");
+    }
+}
+
+#[test]
+fn what_a_shaft_of_single_rays_misses_none_of_them_hits() {
+    for kind in 0..KINDS {
+        let mut random = Random::new(700 + u64::from(kind));
+        let mut missed = 0;
+        for _ in 0..4000 {
+            let primitive = random_primitive(&mut random, kind);
+            let view = View::random(&mut random);
+            let rays: Vec<Ray> = view.rays().take(64).collect();
+            let vector = |packet: usize, of: fn(&Ray) -> Vec3| {
+                let at = |lane: usize| of(&rays[(packet * LANES + lane).min(rays.len() - 1)]);
+                let part = |of: fn(Vec3) -> f64| Lanes::from_fn(|lane| of(at(lane)));
+                vec3(part(|v| v.x), part(|v| v.y), part(|v| v.z))
+            };
+            let lanes: Vec<LaneRays> = (0..rays.len().div_ceil(LANES))
+                .map(|i| LaneRays { origin: vector(i, |r| r.origin), direction: vector(i, |r| r.direction) })
+                .collect();
+            let end = if random.one_in(2) { f64::INFINITY } else { random.between(0.1, 5.0) };
+            let Some(shaft) = Shaft::around_rays(&lanes, end) else { continue };
+            if shaft.misses(&primitive) {
+                missed += 1;
+                let mut hits = rays.iter().map(|ray| primitive.first_hit(ray, Start::Elsewhere));
                 assert!(!hits.any(|hit| hit.found && hit.t <= end), "{primitive:?}");
             }
         }

@@ -30,8 +30,9 @@ mod quantize;
 mod transfer;
 
 pub use codec::{
-    AtomicFile, BandWriter, BitDepth, DecodeError, DecodeProblem, EncodeError, Encoding, ExrEncoder,
-    ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, decode_picture, encoder, read_picture,
+    AtomicFile, BandWriter, BitDepth, Compression, DecodeError, DecodeProblem, EncodeError, Encoding,
+    ExrEncoder, ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, WorkClock, decode_picture,
+    encoder, read_picture,
 };
 pub use color::{Rgb, rgb};
 pub use compare::{SizeMismatch, compare, heat_color, heat_map};

@@ -27,6 +27,6 @@ pub use products::{
     SampleGrid, SampleState, Seconds, Stats, Surface, Tries,
 };
 pub use render::{RenderError, render};
-pub use run::{Progress, Run, TileOrder};
+pub use run::{Progress, RayOrder, Run, TileOrder};
 pub use settings::{Accelerator, CheckedPixels, HistoryKind, Method, Samples, Settings};
 pub use tracing::FirstSeen;

@@ -12,7 +12,7 @@ use crate::methods::{
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{
     BandAssembler, Layer, LayerRows, LayerSources, Sink, SinkError, TileColors, TilePicture, reduce,
-    tile_layer,
+    reduce_into, tile_layer,
 };
 use crate::prepare::{PreparedCamera, prepare};
 use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Tile};
@@ -67,17 +67,15 @@ pub fn render(
 
     let mut counters = Counters::default();
     let mut assembler = BandAssembler::new(&grid, settings);
-    let schedule = Schedule::new(&job, run)?;
-    for bands in schedule.groups() {
-        for (pictures, counted) in schedule.render_bands(bands)? {
-            counters += counted;
-            let rows = assembler.add_band(&pictures);
-            sink.take(&rows).map_err(RenderError::Sink)?;
-            if let Some(progress) = run.progress {
-                progress.advance(rows.count());
-            }
+    Schedule::new(&job, run)?.run(|band| {
+        counters += band.counters;
+        let rows = assembler.add_band(&band.tiles, band.colors);
+        sink.take(&rows).map_err(RenderError::Sink)?;
+        if let Some(progress) = run.progress {
+            progress.advance(rows.count());
         }
-    }
+        Ok(rows.colors)
+    })?;
     let mut stats = Stats::of(&counters);
     stats.seconds.prepare = prepare_seconds;
     stats.seconds.render = begin.elapsed().as_secs_f64();
@@ -97,13 +95,14 @@ pub(crate) struct Job<'a> {
     pub(crate) spheres: Option<BoundingSpheres>,
 }
 
-/// Renders a tile. `outlines` are those that reach into it.
+/// Renders a tile. `outlines` are those that reach into it, `rows` its part of the picture's if the filter has no margin.
 pub(crate) fn render_tile(
     job: &Job,
     worker: &mut TileWorker,
     painter: &mut Painter,
     tile: &Tile,
     outlines: &[Outline],
+    rows: &mut [&mut [[f32; 3]]],
 ) -> TilePicture {
     worker.reset(tile);
     // "Make a perspective image of the objects" (P3): what each sample sees first, without rays.
@@ -120,7 +119,11 @@ pub(crate) fn render_tile(
     worker.tracer.counters.count_states(&worker.samples.state);
 
     // From samples to pixels, and whatever else is to be seen.
-    let colors = reduce(job.settings.filter, job.grid, tile, &worker.samples.color);
+    let (filter, samples) = (job.settings.filter, &worker.samples.color);
+    let colors = (filter.margin() > 0).then(|| reduce(filter, job.grid, tile, samples));
+    if colors.is_none() {
+        reduce_into(filter, job.grid, tile, samples, rows);
+    }
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
     let full = (job.settings.checked != CheckedPixels::None).then(|| render_again_in_full(job, worker, tile));
     TilePicture { tile: *tile, colors, full, layers }

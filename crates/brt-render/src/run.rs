@@ -13,6 +13,18 @@ pub struct Run<'a> {
     pub cancel: Option<&'a AtomicBool>,
     /// In which order tiles of a band are begun; for tests that it does not matter.
     pub order: TileOrder,
+    /// How `full` follows rays.
+    pub rays: RayOrder,
+}
+
+/// How full ray tracing follows rays, unless ray histories are wanted as a layer, which need single ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RayOrder {
+    /// Those of up to 64 samples together, level by level.
+    #[default]
+    Bundled,
+    /// One after the other, as the paper's methods do that are compared with it.
+    Single,
 }
 
 /// In which order the tiles of a band are begun.
@@ -38,10 +50,12 @@ impl Run<'_> {
 }
 
 impl TileOrder {
-    /// Sorts tile numbers into this order.
-    pub(crate) fn arrange(self, tiles: &mut [usize]) {
+    /// Sorts tiles, whose numbers are given by `number`, into this order.
+    pub(crate) fn arrange<T>(self, tiles: &mut [T], number: impl Fn(&T) -> usize) {
         if let Self::Shuffled(seed) = self {
-            tiles.sort_by_key(|&t| (t as u64 ^ seed).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(31));
+            tiles.sort_by_key(|tile| {
+                (number(tile) as u64 ^ seed).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(31)
+            });
         }
     }
 }

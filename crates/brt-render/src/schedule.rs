@@ -9,7 +9,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::methods::TileWorker;
 use crate::perspective::{BandOutlines, Painter};
 use crate::picture::TilePicture;
-use crate::products::{Counters, Tile};
+use crate::products::{Counters, SampleGrid, Tile};
 use crate::render::{Job, RenderError, render_tile};
 use crate::run::Run;
 
@@ -26,52 +26,125 @@ pub(crate) struct Schedule<'a> {
     pool: ThreadPool,
     /// Workers that no thread uses at the moment, kept for their buffers.
     idle: Mutex<Vec<(TileWorker<'a>, Painter<'a>)>>,
+    /// Rows of bands that were taken, kept for their memory: fresh pages cost more than filling them.
+    spare_rows: Mutex<Vec<Vec<[f32; 3]>>>,
+}
+
+/// The tiles of a band, left to right, and what was counted in them.
+pub(crate) struct FinishedBand {
+    pub(crate) tiles: Vec<TilePicture>,
+    /// The band's rows; empty if the filter has a margin, for then its tiles have shares of pixels.
+    pub(crate) colors: Vec<[f32; 3]>,
+    pub(crate) counters: Counters,
+}
+
+/// A tile that is to be rendered.
+struct TileTask<'r> {
+    /// Counted over the bands of a group.
+    index: usize,
+    /// Its part of the picture's rows; empty if the filter has a margin.
+    rows: Vec<&'r mut [[f32; 3]]>,
 }
 
 impl<'a> Schedule<'a> {
     pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>) -> Result<Self, RenderError> {
         let pool = ThreadPoolBuilder::new().num_threads(run.threads).stack_size(STACK).build()?;
-        Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()) })
+        Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()), spare_rows: Mutex::new(Vec::new()) })
+    }
+
+    /// Renders all bands and hands them to `take`, from the top to the bottom; it gives back rows that can be used again.
+    ///
+    /// While a group of bands is rendered, one of the threads takes those of the group before: none waits for it.
+    pub(crate) fn run(
+        &self,
+        mut take: impl FnMut(FinishedBand) -> Result<Vec<[f32; 3]>, RenderError> + Send,
+    ) -> Result<(), RenderError> {
+        self.pool.install(|| {
+            let mut finished = Vec::new();
+            for bands in self.groups() {
+                let waiting = std::mem::take(&mut finished);
+                let (rendered, taken) =
+                    rayon::join(|| self.render_bands(bands), || self.take_bands(waiting, &mut take));
+                taken?;
+                finished = rendered.ok_or(RenderError::Cancelled)?;
+            }
+            self.take_bands(finished, &mut take)
+        })
     }
 
     /// Bands that are rendered together, from the top to the bottom.
-    pub(crate) fn groups(&self) -> impl Iterator<Item = Range<u32>> + use<> {
+    fn groups(&self) -> impl Iterator<Item = Range<u32>> + use<> {
         let bands = self.job.grid.bands();
         let tiles = TILES_PER_THREAD * self.pool.current_num_threads() as u32;
         let together = tiles.div_ceil(self.job.grid.tiles_wide());
         (0..bands).step_by(together as usize).map(move |first| first..(first + together).min(bands))
     }
 
-    /// The tiles of each band, and what was counted in it.
-    pub(crate) fn render_bands(
+    fn take_bands(
         &self,
-        bands: Range<u32>,
-    ) -> Result<impl Iterator<Item = (Vec<TilePicture>, Counters)> + use<>, RenderError> {
+        bands: Vec<FinishedBand>,
+        take: &mut (impl FnMut(FinishedBand) -> Result<Vec<[f32; 3]>, RenderError> + Send),
+    ) -> Result<(), RenderError> {
+        bands.into_iter().try_for_each(|band| {
+            if self.run.is_cancelled() {
+                return Err(RenderError::Cancelled);
+            }
+            let rows = take(band)?;
+            if self.rows_are_shared_out()
+                && let Ok(mut spare) = self.spare_rows.lock()
+            {
+                spare.push(rows);
+            }
+            Ok(())
+        })
+    }
+
+    /// `None` if the work was cancelled.
+    fn render_bands(&self, bands: Range<u32>) -> Option<Vec<FinishedBand>> {
         let grid = self.job.grid;
         let columns = grid.tiles_wide() as usize;
         let outlines: Vec<Option<BandOutlines>> =
             bands.clone().map(|band| self.job.outlines.as_ref().map(|o| o.band(grid, band))).collect();
-        let mut tiles: Vec<usize> = (0..outlines.len() * columns).collect();
-        self.run.order.arrange(&mut tiles);
-        let render_one = |&index: &usize| {
+        let mut colors: Vec<_> = bands.clone().map(|band| self.empty_rows(band)).collect();
+        let mut tasks = tile_tasks(&mut colors, grid);
+        self.run.order.arrange(&mut tasks, |task| task.index);
+        let render_one = |TileTask { index, mut rows }| {
             let (band, column) = (index / columns, (index % columns) as u32);
             let tile = Tile::at(grid, column, bands.start + band as u32);
-            let (picture, counted) = self.render_one(&tile, column, outlines[band].as_ref())?;
+            let (picture, counted) = self.render_one(&tile, column, outlines[band].as_ref(), &mut rows)?;
             Some((index, picture, counted))
         };
-        let rendered: Option<Vec<_>> =
-            self.pool.install(|| tiles.par_iter().with_max_len(1).map(render_one).collect());
-        let mut rendered = rendered.ok_or(RenderError::Cancelled)?;
+        let rendered: Option<Vec<_>> = tasks.into_par_iter().with_max_len(1).map(render_one).collect();
+        let mut rendered = rendered?;
         rendered.sort_by_key(|(index, ..)| *index);
         let mut rendered = rendered.into_iter();
-        Ok((0..outlines.len()).map(move |_| {
+        let next_band = |colors| {
             let mut counters = Counters::default();
-            let pictures = rendered.by_ref().take(columns).map(|(_, picture, counted)| {
+            let tiles = rendered.by_ref().take(columns).map(|(_, picture, counted)| {
                 counters += counted;
                 picture
             });
-            (pictures.collect(), counters)
-        }))
+            FinishedBand { tiles: tiles.collect(), colors, counters }
+        };
+        Some(colors.into_iter().map(next_band).collect())
+    }
+
+    /// Do tiles write into the band's rows themselves? Not where they reach into each other.
+    fn rows_are_shared_out(&self) -> bool {
+        self.job.settings.filter.margin() == 0
+    }
+
+    /// Rows for the pixels of a band, of any colours; none if the filter has a margin.
+    fn empty_rows(&self, band: u32) -> Vec<[f32; 3]> {
+        let grid = self.job.grid;
+        if !self.rows_are_shared_out() {
+            return Vec::new();
+        }
+        let pixels = grid.width * (Tile::at(grid, 0, band).height / grid.per_side);
+        let spare = self.spare_rows.lock().ok().and_then(|mut spare| spare.pop());
+        let mut rows = spare.unwrap_or_default();
+        rows.resize(pixels as usize, [0.0; 3]);
+        rows
     }
 
     /// `None` if the work was cancelled.
@@ -80,19 +153,36 @@ impl<'a> Schedule<'a> {
         tile: &Tile,
         column: u32,
         outlines: Option<&BandOutlines>,
+        rows: &mut [&mut [[f32; 3]]],
     ) -> Option<(TilePicture, Counters)> {
         if self.run.is_cancelled() {
             return None;
         }
         let spare = self.idle.lock().ok().and_then(|mut idle| idle.pop());
-        let (mut worker, mut painter) = spare
-            .unwrap_or_else(|| (TileWorker::new(self.job), Painter::new(self.job.scene, self.job.camera)));
+        let (mut worker, mut painter) = spare.unwrap_or_else(|| {
+            (TileWorker::new(self.job, self.run.rays), Painter::new(self.job.scene, self.job.camera))
+        });
         let mine = outlines.map_or(&[][..], |o| o.tile(column));
-        let picture = render_tile(self.job, &mut worker, &mut painter, tile, mine);
+        let picture = render_tile(self.job, &mut worker, &mut painter, tile, mine, rows);
         let counted = worker.tracer.take_counters();
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((worker, painter));
         }
         Some((picture, counted))
     }
+}
+
+/// The tiles of bands, and the parts of the bands' rows that are theirs.
+fn tile_tasks<'r>(bands: &'r mut [Vec<[f32; 3]>], grid: &SampleGrid) -> Vec<TileTask<'r>> {
+    let (width, columns) = (grid.width as usize, grid.tiles_wide() as usize);
+    let tile_width = (SampleGrid::TILE / grid.per_side) as usize;
+    let mut tasks: Vec<_> =
+        (0..bands.len() * columns).map(|index| TileTask { index, rows: Vec::new() }).collect();
+    for (tiles, rows) in tasks.chunks_exact_mut(columns).zip(bands) {
+        for row in rows.chunks_exact_mut(width) {
+            let parts = row.chunks_mut(tile_width);
+            tiles.iter_mut().zip(parts).for_each(|(tile, part)| tile.rows.push(part));
+        }
+    }
+    tasks
 }

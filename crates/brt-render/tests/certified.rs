@@ -82,7 +82,7 @@ proptest! {
 
 #[test]
 fn seed_scenes_are_filled_within_the_tolerance_wherever_they_stand() {
-    for (name, least) in [("a", 0.55), ("b", 0.4), ("c", 0.6)] {
+    for (name, least) in [("a", 0.4), ("b", 0.25), ("c", 0.4)] {
         let scene = seed_scene(name);
         let far = brt_geometry::vec3(1e3, -1e3, 1e3);
         for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, far), scene] {
@@ -111,7 +111,7 @@ fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
     let settings = || Settings { checked: CheckedPixels::All, ..Settings::new([512, 512]) };
     let linear = CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear };
     let picture = checked(&scene, linear, &settings()).unwrap();
-    assert!(filled_share(&picture) > 0.5, "{}", filled_share(&picture));
+    assert!(filled_share(&picture) > 0.4, "{}", filled_share(&picture));
     let method = Method::Border(BorderSettings::default());
     let border = render_with_layers(&scene, &Settings { method, ..settings() }, &Run::default());
     let far_off = (0..border.colors.len()).filter(|&i| error(&border, Transfer::Linear, i) > 16.0);

@@ -56,6 +56,14 @@ fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<Strin
     {
         ways.push(with(border_of_single_samples(judge, regions), Accelerator::Bvh));
     }
+    // Without histories, samples are traced in bundles.
+    for accelerator in [Accelerator::Bvh, Accelerator::None] {
+        let bare = Settings { layers: Vec::new(), ..with(Method::Full, accelerator) };
+        let colors = first_difference(size, &full.colors, &rendered(scene, &bare).colors);
+        if let Some(difference) = colors {
+            return vec![replay_hint(scene, &bare, &difference)];
+        }
+    }
     ways.iter().filter_map(|way| difference_to(&full, scene, way)).collect()
 }
 

@@ -3,8 +3,8 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use brt_render::{
-    BorderSettings, Filter, Layer, Method, PixelSelectedSettings, Progress, RenderError, Rows, Run, Samples,
-    Settings, Sink, SinkError, Stats, TileOrder, render,
+    BorderSettings, Filter, Layer, Method, PixelSelectedSettings, Progress, RayOrder, RenderError, Rows, Run,
+    Samples, Settings, Sink, SinkError, Stats, TileOrder, render,
 };
 use brt_scene::{Scene, Shape};
 use brt_testkit::{Rendered, all_shapes, first_difference, looking, render_with_layers, seed_scene};
@@ -184,9 +184,12 @@ fn the_perspective_image_is_made_without_rays_and_spares_the_first_search() {
         let center = brt_geometry::vec3(f64::from(i), 0.0, -3.0);
         crowded.add(Shape::Sphere { center, radius: 0.4 }, scene.objects[0].material);
     });
-    let full = render_with_layers(&crowded, &settings, &Run::default()).stats;
+    let single = Run { rays: RayOrder::Single, ..Run::default() };
+    let full = render_with_layers(&crowded, &settings, &single).stats;
     assert!(full.nodes_visited >= full.pixels.total, "{full:?}");
     assert_eq!(full.rays.total(), full.pixels.total);
+    let bundled = render_with_layers(&crowded, &settings, &Run::default()).stats;
+    assert!(bundled.nodes_visited == 0 && bundled.rays == full.rays, "{bundled:?}");
 }
 
 #[test]
@@ -194,7 +197,9 @@ fn layers_alone_cost_no_rays() {
     let scene = all_shapes();
     let stats = |layers| {
         let settings = Settings { layers, ..Settings::new([64, 48]) };
-        counts(&render_with_layers(&scene, &settings, &Run::default()).stats)
+        counts(
+            &render_with_layers(&scene, &settings, &Run { rays: RayOrder::Single, ..Run::default() }).stats,
+        )
     };
     assert_eq!(stats(Vec::new()), stats(Layer::ALL.to_vec()));
 }

@@ -7,6 +7,7 @@
 
 mod camera;
 mod check;
+pub mod framing;
 mod light;
 mod material;
 mod object;

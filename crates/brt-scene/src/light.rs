@@ -39,6 +39,13 @@ pub enum Light {
 }
 
 impl Light {
+    /// Colour and intensity, linear RGB, to change.
+    pub fn color_mut(&mut self) -> &mut Rgb {
+        match self {
+            Self::Point { color, .. } | Self::Spot { color, .. } | Self::Directional { color, .. } => color,
+        }
+    }
+
     /// Colour and intensity, linear RGB.
     pub fn color(&self) -> Rgb {
         match self {

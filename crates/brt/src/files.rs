@@ -1,11 +1,11 @@
 //! From a scene to picture files.
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use brt_image::{EncodeError, Encoding, PictureFormat, PictureSize, Target};
 use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
 use brt_scene::Scene;
-use rayon::ThreadPoolBuilder;
 use thiserror::Error;
 
 use crate::layer_paint::LayerPainter;
@@ -74,7 +74,9 @@ impl Output {
 pub struct Rendered {
     /// Counts and times. `seconds.render` is free of the time for encoding.
     pub stats: Stats,
-    /// Time for encoding and writing, and for measuring the error.
+    /// Time for encoding and writing, and for measuring the error, by the clock.
+    ///
+    /// Threads encode while others render, so this is their mean share of it, and the end that comes after rendering.
     pub encode_seconds: f64,
     /// Error against full ray tracing, if [`Settings::checked`] asked for it or a layer needed it.
     pub verification: Option<Verification>,
@@ -124,13 +126,15 @@ pub fn render_to_files(
     let settings = with_layers_of(output, settings);
     let encoding = output.encoding;
     let size = PictureSize::new(settings.size[0], settings.size[1]);
-    let pool = ThreadPoolBuilder::new().num_threads(run.threads).build()?;
     let painter = LayerPainter::new(scene, encoding);
     let measure = (settings.checked != CheckedPixels::None).then(|| ErrorMeasure::new(encoding, &settings));
-    let mut files = PictureFiles::open(output, size, painter, measure, &pool)?;
+    let mut files = PictureFiles::open(output, size, painter, measure)?;
     let mut stats = render(scene, &settings, run, &mut files)?;
-    stats.seconds.render -= files.seconds();
-    let (encode_seconds, verification) = files.finish()?;
+    let beside = files.seconds();
+    stats.seconds.render -= beside;
+    let begin = Instant::now();
+    let verification = files.finish()?;
+    let encode_seconds = beside + begin.elapsed().as_secs_f64();
     Ok(Rendered { stats, encode_seconds, verification })
 }
 

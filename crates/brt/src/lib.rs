@@ -60,15 +60,21 @@ pub use brt_geometry as geometry;
 pub use brt_image as image;
 pub use brt_render as rendering;
 pub use brt_scene as scene;
+pub use brt_scene::framing;
 
-pub use brt_formats::{Format, Limits, LoadError, Loaded, Written, load, parse, write, write_toml};
+pub use brt_formats::{
+    Format, Given, Imported, Limits, LoadError, Loaded, Written, import, load, load_as, parse, write,
+    write_toml,
+};
 pub use brt_geometry::{Vec3, vec3};
-pub use brt_image::{BitDepth, Comparison, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb};
+pub use brt_image::{
+    BitDepth, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb,
+};
 pub use brt_render::{
     Accelerator, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
     DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
-    PixelSelectedSettings, Progress, RayHistory, Regions, RenderError, Rows, Run, SampleState, Samples,
-    Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
+    PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run, SampleState,
+    Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

@@ -1,6 +1,6 @@
 //! Error of a picture against full ray tracing, measured before quantisation.
 
-use brt_image::{Comparison, DifferenceMeter, Encoding, PictureFormat};
+use brt_image::{Comparison, DifferenceMeter, Encoding, PictureFormat, WorkClock};
 use brt_render::{CheckedPixels, Rows, Settings};
 use rayon::prelude::*;
 
@@ -41,7 +41,7 @@ impl ErrorMeasure {
     }
 
     /// Takes rows of the picture and the same by full ray tracing, both linear.
-    pub(crate) fn add(&mut self, rows: &Rows, full: &[[f32; 3]]) {
+    pub(crate) fn add(&mut self, rows: &Rows, full: &[[f32; 3]], clock: &WorkClock) {
         let width = rows.width as usize;
         // Row by row, so that sums do not depend on the number of threads.
         let parts: Vec<Found> = rows
@@ -50,7 +50,7 @@ impl ErrorMeasure {
             .zip(full.par_chunks(width))
             .zip(rows.first..rows.first + rows.count())
             .filter(|(_, row)| self.checked.includes_row(*row))
-            .map(|((colors, full), row)| self.measured(row, colors, full))
+            .map(|((colors, full), row)| clock.time(|| self.measured(row, colors, full)))
             .collect();
         for part in &parts {
             self.found.merge(part);
@@ -139,7 +139,7 @@ mod tests {
         // Row 1 is not checked; full ray tracing promises 0, so each difference in rows 0 and 16 is above.
         (colors[1], colors[2], colors[32]) = ([1.0; 3], [1.0; 3], [0.5; 3]);
         let rows = Rows { first: 0, width: 2, colors, full: None, layers: Vec::new() };
-        measure.add(&rows, &[[0.0; 3]; 34]);
+        measure.add(&rows, &[[0.0; 3]; 34], &WorkClock::default());
         let found = measure.verification();
         assert_eq!((found.comparison.pixels, found.above, found.worst), (4, 2, [1, 0]));
         assert_eq!((found.comparison.max_error, found.limit), (255.0, 0.0));

@@ -1,13 +1,12 @@
 //! The files of a picture as one sink: each row goes to the picture's encoder and to those of its layers.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use brt_image::{
-    BandWriter, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target, encoder,
+    BandWriter, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target, WorkClock,
+    encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
-use rayon::ThreadPool;
 
 use crate::files::Output;
 use crate::layer_paint::LayerPainter;
@@ -15,55 +14,55 @@ use crate::layers::PictureLayer;
 use crate::measure::{ErrorMeasure, Verification};
 
 /// Takes rows: measures them against full ray tracing if that was rendered, and writes them if there is an output.
-pub(crate) struct PictureFiles<'a> {
+///
+/// All of it happens on the threads that render, while others render on.
+pub(crate) struct PictureFiles {
     files: Option<OpenFiles>,
     painter: LayerPainter,
     measure: Option<ErrorMeasure>,
-    /// Encoders and measuring keep to the threads of the run.
-    pool: &'a ThreadPool,
-    seconds: f64,
+    /// Of measuring and painting.
+    clock: WorkClock,
+    /// How many threads share the work; known once it is done.
+    threads: usize,
 }
 
-impl<'a> PictureFiles<'a> {
+impl PictureFiles {
     /// Opens every file, so that what cannot be written is known before the rendering.
     pub(crate) fn open(
         output: &Output,
         size: PictureSize,
         painter: LayerPainter,
         measure: Option<ErrorMeasure>,
-        pool: &'a ThreadPool,
     ) -> Result<Self, EncodeError> {
         let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, size)).transpose()?;
-        Ok(Self { files, painter, measure, pool, seconds: 0.0 })
+        Ok(Self { files, painter, measure, clock: WorkClock::default(), threads: 1 })
     }
 
-    /// Puts all files in place. Returns the time spent on encoding and the measured error.
-    pub(crate) fn finish(self) -> Result<(f64, Option<Verification>), EncodeError> {
-        let begin = Instant::now();
+    /// Puts all files in place. Returns the measured error.
+    pub(crate) fn finish(self) -> Result<Option<Verification>, EncodeError> {
         if let Some(files) = self.files {
-            self.pool.install(|| files.finish())?;
+            files.finish()?;
         }
-        let seconds = self.seconds + begin.elapsed().as_secs_f64();
-        Ok((seconds, self.measure.map(|m| m.verification())))
+        Ok(self.measure.map(|m| m.verification()))
     }
 
-    /// Time spent on encoding and measuring so far.
+    /// A thread's share of the time spent on encoding and measuring so far.
     pub(crate) fn seconds(&self) -> f64 {
-        self.seconds
+        let encoding = self.files.as_ref().map_or(0.0, OpenFiles::seconds);
+        (self.clock.seconds() + encoding) / self.threads as f64
     }
 }
 
-impl Sink for PictureFiles<'_> {
+impl Sink for PictureFiles {
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
-        let begin = Instant::now();
-        let Self { files, painter, measure, pool, .. } = self;
-        pool.install(|| -> Result<(), EncodeError> {
-            if let (Some(measure), Some(full)) = (measure, &rows.full) {
-                measure.add(rows, full);
-            }
-            files.as_mut().map_or(Ok(()), |files| files.write(rows, painter))
-        })?;
-        self.seconds += begin.elapsed().as_secs_f64();
+        self.threads = rayon::current_num_threads();
+        let Self { files, painter, measure, clock, .. } = self;
+        if let (Some(measure), Some(full)) = (measure, &rows.full) {
+            measure.add(rows, full, clock);
+        }
+        if let Some(files) = files {
+            files.write(rows, painter, clock)?;
+        }
         Ok(())
     }
 }
@@ -93,17 +92,31 @@ impl OpenFiles {
         Ok(Self::Separate { picture, layers })
     }
 
-    fn write(&mut self, rows: &Rows, painter: &LayerPainter) -> Result<(), EncodeError> {
+    /// The time for painting goes to `clock`.
+    fn write(&mut self, rows: &Rows, painter: &LayerPainter, clock: &WorkClock) -> Result<(), EncodeError> {
         match self {
             Self::Exr { encoder, layers } => {
                 let values: Vec<Vec<f32>> =
-                    layers.iter().flat_map(|&layer| painter.values(layer, rows)).collect();
+                    clock.time(|| layers.iter().flat_map(|&layer| painter.values(layer, rows)).collect());
                 let values: Vec<&[f32]> = values.iter().map(Vec::as_slice).collect();
                 encoder.write_with_layers(&rows.colors, &values)
             }
             Self::Separate { picture, layers } => {
                 picture.write(&rows.colors)?;
-                layers.iter_mut().try_for_each(|(layer, file)| file.write(&painter.colors(*layer, rows)))
+                layers.iter_mut().try_for_each(|(layer, file)| {
+                    let colors = painter.colors(*layer, rows);
+                    file.write(&colors)
+                })
+            }
+        }
+    }
+
+    /// Time spent on encoding so far, summed over threads.
+    fn seconds(&self) -> f64 {
+        match self {
+            Self::Exr { encoder, .. } => encoder.seconds(),
+            Self::Separate { picture, layers } => {
+                picture.seconds() + layers.iter().map(|(_, file)| file.seconds()).sum::<f64>()
             }
         }
     }

@@ -7,13 +7,13 @@ use clap::Args;
 
 use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome, wrong_use};
-use crate::scene_input::{self, LimitOptions, check_distinct, is_dash};
+use crate::scene_input::{self, InputOptions, check_distinct, is_dash};
 use crate::{diagnostics, output, values};
 
 /// Options of `brt convert`.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
-    /// Scene file; `-` reads TOML from standard input
+    /// Scene file; `-` reads standard input
     #[arg(value_name = "IN")]
     input: PathBuf,
     /// File to write, .toml, .pov (POV-Ray) or .dat (Tachyon); `-` for TOML on standard output
@@ -22,17 +22,17 @@ pub(crate) struct Options {
     /// Picture size that .pov and .dat are written for [default: the scene's, else 1024x1024]
     #[arg(short, long, value_name = "WxH", value_parser = values::size)]
     size: Option<[u32; 2]>,
-    /// Options that bound the scene
+    /// Options for reading the scene
     #[command(flatten)]
-    limits: LimitOptions,
+    reading: InputOptions,
 }
 
 /// Converts a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let Options { input, output: path, size, limits } = options;
+    let Options { input, output: path, size, reading } = options;
     let format = written_format(path)?;
     check_distinct(input, std::slice::from_ref(path))?;
-    let mut input = scene_input::read(input, &limits.limits(u64::MAX))?;
+    let mut input = scene_input::read(input, reading, u64::MAX)?;
     input.show_warnings();
     input.scene.size = size.or(input.scene.size);
     let Written { text, report } = write(format, &input.scene)?;

@@ -1,5 +1,6 @@
 //! `brt formats`: what can be read and written.
 
+use brt::formats::Foreign;
 use brt::{Format, PictureFormat};
 
 use crate::exit::{Failure, Outcome};
@@ -11,6 +12,10 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
     for format in Format::ALL {
         let extensions = format.extensions().join(", .");
         output::line(&row(&format!(".{extensions}"), abilities(format), format.name()));
+    }
+    output::line("\nknown, but not read yet");
+    for foreign in Foreign::ALL {
+        output::line(&format!("  {:<21} {}", foreign.name, foreign.advice));
     }
     output::line("\npictures");
     for (format, name) in [
@@ -24,7 +29,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
 }
 
 fn row(extensions: &str, abilities: &str, name: &str) -> String {
-    format!("  {extensions:<8} {abilities:<12} {name}")
+    format!("  {extensions:<12} {abilities:<12} {name}")
 }
 
 fn abilities(format: Format) -> &'static str {

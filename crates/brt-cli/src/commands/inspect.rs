@@ -8,21 +8,21 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::exit::{Failure, Outcome};
-use crate::scene_input::{self, LimitOptions};
+use crate::scene_input::{self, InputOptions};
 use crate::{json, output};
 
 /// Options of `brt inspect`.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
-    /// Scene file; `-` reads TOML from standard input
+    /// Scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Print it as JSON
     #[arg(long)]
     json: bool,
-    /// Options that bound the scene
+    /// Options for reading the scene
     #[command(flatten)]
-    limits: LimitOptions,
+    reading: InputOptions,
 }
 
 /// What there is to say about a scene.
@@ -69,8 +69,7 @@ enum ProjectionJson {
 
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let limits = options.limits.limits(u64::MAX);
-    let input = scene_input::read(&options.scene, &limits)?;
+    let input = scene_input::read(&options.scene, &options.reading, u64::MAX)?;
     let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
     if options.json {
         output::line(&json::text(&inspection)?);

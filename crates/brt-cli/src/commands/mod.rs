@@ -8,4 +8,5 @@ pub(crate) mod paper;
 pub(crate) mod peers;
 pub(crate) mod render;
 pub(crate) mod scene;
+pub(crate) mod shell;
 mod text_file;

@@ -7,7 +7,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::exit::{Failure, Outcome};
-use crate::scene_input::{self, LimitOptions};
+use crate::scene_input::{self, InputOptions};
 use crate::{interrupt, output};
 
 /// Sizes beyond this cost hours.
@@ -34,7 +34,7 @@ pub(crate) struct Options {
     #[arg(long)]
     quick: bool,
     #[command(flatten)]
-    limits: LimitOptions,
+    reading: InputOptions,
 }
 
 /// Measures, and writes the page.
@@ -67,7 +67,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
 }
 
 fn own_scene(options: &Options, path: &Path) -> Result<(String, brt::Scene), Failure> {
-    let input = scene_input::read(path, &options.limits.limits(MAX_PIXELS))?;
+    let input = scene_input::read(path, &options.reading, MAX_PIXELS)?;
     input.show_warnings();
     let name =
         path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());

@@ -9,7 +9,7 @@ use brt_lab::peers::{self, PeersError, Watch};
 use clap::Args;
 
 use crate::exit::{Failure, Outcome, wrong_use};
-use crate::scene_input::{self, LimitOptions};
+use crate::scene_input::{self, InputOptions};
 use crate::{interrupt, output};
 
 /// Pixels that a scene file may ask for; only its proportions are used here.
@@ -36,7 +36,7 @@ pub(crate) struct Options {
     timeout: u64,
     /// Options that bound scenes
     #[command(flatten)]
-    limits: LimitOptions,
+    reading: InputOptions,
 }
 
 /// Measures, and writes the page.
@@ -72,7 +72,7 @@ fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
         let scene = match named {
             Some(named) => named.build(None)?,
             None => {
-                let input = scene_input::read(path, &options.limits.limits(MAX_PIXELS))?;
+                let input = scene_input::read(path, &options.reading, MAX_PIXELS)?;
                 input.show_warnings();
                 input.scene
             }

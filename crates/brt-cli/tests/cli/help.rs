@@ -28,6 +28,7 @@ fn of_render() {
             "--filter",
             "--max-depth",
             "--bits",
+            "--compression",
             "--layers",
             "--stats",
             "--verify",

@@ -4,6 +4,7 @@ mod bench;
 mod compare;
 mod failures;
 mod help;
+mod models;
 mod paper;
 mod peers;
 mod render;

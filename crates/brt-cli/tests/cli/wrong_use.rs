@@ -56,6 +56,8 @@ fn values_out_of_range() {
 #[test]
 fn outputs_that_make_no_sense() {
     refuses(&[
+        ("render ball.toml -o a.ppm --compression small", "`--compression` belongs to .png"),
+        ("render ball.toml --compression best", "fast, balanced, small"),
         ("render ball.toml -o a.jpg", "a.jpg: not the name of a picture that can be written"),
         ("render ball.toml -o a", "expected `.png`, `.ppm` or `.exr`"),
         ("render ball.toml a.png -o b.png", "cannot be used with"),

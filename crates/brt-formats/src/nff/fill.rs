@@ -6,8 +6,8 @@ use std::ops::Range;
 use brt_image::Rgb;
 use brt_scene::{Diagnostic, Material, MaterialId};
 
-use super::words::Words;
 use crate::problems::Problems;
+use crate::words::Words;
 
 /// The materials of a file; equal fills share one.
 #[derive(Default)]

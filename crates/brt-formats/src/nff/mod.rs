@@ -9,7 +9,6 @@ mod finish;
 mod patches;
 mod polygon;
 mod reader;
-mod words;
 
 use brt_scene::{Diagnostic, Place, Report, Scene};
 

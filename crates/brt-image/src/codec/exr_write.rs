@@ -27,6 +27,7 @@ use super::error::EncodeError;
 use super::format::BandWriter;
 use super::rows::RowCount;
 use super::sink::Sink;
+use super::work_clock::WorkClock;
 use crate::PictureSize;
 
 /// Blocks compressed together: enough for the threads of a desktop.
@@ -73,6 +74,7 @@ pub struct ExrEncoder {
     block: Vec<u8>,
     full_blocks: Vec<UncompressedBlock>,
     blocks_begun: usize,
+    clock: WorkClock,
 }
 
 impl ExrEncoder {
@@ -110,6 +112,7 @@ impl ExrEncoder {
             block,
             full_blocks,
             blocks_begun: 0,
+            clock: WorkClock::default(),
         })
     }
 
@@ -177,7 +180,7 @@ impl ExrEncoder {
         let blocks = std::mem::take(&mut self.full_blocks);
         let chunks: Vec<Chunk> = blocks
             .into_par_iter()
-            .map(|block| block.compress_to_chunk(headers))
+            .map(|block| self.clock.time(|| block.compress_to_chunk(headers)))
             .collect::<Result<_, _>>()
             .map_err(|e| refused(&e))?;
         for chunk in &chunks {
@@ -186,7 +189,8 @@ impl ExrEncoder {
             };
             self.offsets.push(self.position);
             self.position += BLOCK_HEAD_BYTES + lines.compressed_pixels_le.len() as u64;
-            chunk.write(&mut self.sink, 1).map_err(from_library)?;
+            let Self { sink, clock, .. } = self;
+            clock.time(|| chunk.write(sink, 1)).map_err(from_library)?;
         }
         Ok(())
     }
@@ -195,6 +199,10 @@ impl ExrEncoder {
 impl BandWriter for ExrEncoder {
     fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
         self.write_with_layers(rows, &[])
+    }
+
+    fn seconds(&self) -> f64 {
+        self.clock.seconds()
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), EncodeError> {

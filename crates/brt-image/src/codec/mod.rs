@@ -2,11 +2,13 @@
 //!
 //! Encoders hold O(width) memory, whatever the height.
 
+mod deflate;
 mod error;
 mod exr_read;
 mod exr_write;
 mod format;
 mod latch;
+mod png_filter;
 mod png_read;
 mod png_write;
 mod pnm_read;
@@ -15,6 +17,7 @@ mod read;
 mod rows;
 mod sink;
 mod target;
+mod work_clock;
 
 #[cfg(test)]
 mod mutation_tests;
@@ -23,7 +26,8 @@ mod round_trip_tests;
 
 pub use error::{DecodeError, DecodeProblem, EncodeError};
 pub use exr_write::{ExrEncoder, ExrLayers};
-pub use format::{BandWriter, BitDepth, Encoding, PictureFormat, encoder};
+pub use format::{BandWriter, BitDepth, Compression, Encoding, PictureFormat, encoder};
 pub use read::{PictureLimits, decode_picture, read_picture};
 pub use sink::{PlainSink, Sink};
 pub use target::{AtomicFile, Target};
+pub use work_clock::WorkClock;

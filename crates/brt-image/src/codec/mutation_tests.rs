@@ -4,7 +4,7 @@ use png::{BitDepth as PngDepth, ColorType, Encoder};
 
 use super::round_trip_tests::{encoded, test_picture};
 use super::*;
-use crate::{PictureSize, Transfer};
+use crate::PictureSize;
 
 /// SplitMix64: the same damage on every machine.
 struct Random(u64);
@@ -43,7 +43,7 @@ fn small_files() -> Vec<Vec<u8>> {
     let mut files = Vec::new();
     for format in [PictureFormat::Png, PictureFormat::Ppm, PictureFormat::Exr] {
         for depth in [BitDepth::Eight, BitDepth::Sixteen] {
-            files.push(encoded(&image, Encoding { format, depth, transfer: Transfer::Srgb }, 9));
+            files.push(encoded(&image, Encoding { format, depth, ..Encoding::default() }, 9));
         }
     }
     files.push(zipped_exr());

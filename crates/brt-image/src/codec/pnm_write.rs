@@ -8,13 +8,22 @@ use super::error::EncodeError;
 use super::format::{BandWriter, BitDepth};
 use super::rows::RowCount;
 use super::sink::Sink;
+use super::work_clock::WorkClock;
 use crate::{PictureSize, Transfer};
+
+/// Pixels turned into bytes by one task: enough to outweigh handing the task over.
+const TASK_PIXELS: usize = 1 << 14;
+/// Pixels turned into bytes before they are handed on, so that memory does not follow the band.
+const PART_PIXELS: usize = 1 << 20;
 
 /// Streams a PPM file.
 pub(crate) struct PpmEncoder {
     sink: Box<dyn Sink>,
     rows: RowCount,
     samples: SampleBytes,
+    /// The bytes of a part, kept.
+    bytes: Vec<u8>,
+    clock: WorkClock,
 }
 
 impl PpmEncoder {
@@ -31,17 +40,34 @@ impl PpmEncoder {
             BitDepth::Sixteen => 65535,
         };
         write!(sink, "P6\n{} {}\n{max}\n", size.width, size.height)?;
-        Ok(Self { sink, rows, samples: SampleBytes::new(depth, transfer) })
+        let samples = SampleBytes::new(depth, transfer);
+        Ok(Self { sink, rows, samples, bytes: Vec::new(), clock: WorkClock::default() })
+    }
+
+    fn write_part(&mut self, pixels: &[[f32; 3]]) -> Result<(), EncodeError> {
+        let Self { sink, samples, bytes, clock, .. } = self;
+        let pixel_bytes = samples.pixel_bytes();
+        bytes.resize(pixels.len() * pixel_bytes, 0);
+        pixels
+            .par_chunks(TASK_PIXELS)
+            .zip(bytes.par_chunks_mut(TASK_PIXELS * pixel_bytes))
+            .for_each(|(pixels, bytes)| clock.time(|| samples.put(pixels, bytes)));
+        Ok(clock.time(|| sink.write_all(bytes))?)
     }
 }
 
 impl BandWriter for PpmEncoder {
     fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
         let after = self.rows.after(rows.len())?;
-        let Self { sink, samples, .. } = self;
-        samples.for_each_part(rows, |bytes| Ok(sink.write_all(bytes)?))?;
+        for part in rows.chunks(PART_PIXELS) {
+            self.write_part(part)?;
+        }
         self.rows = after;
         Ok(())
+    }
+
+    fn seconds(&self) -> f64 {
+        self.clock.seconds()
     }
 
     fn finish(self: Box<Self>) -> Result<(), EncodeError> {
@@ -50,46 +76,29 @@ impl BandWriter for PpmEncoder {
     }
 }
 
-/// Pixels turned into bytes by one task: enough to outweigh handing the task over.
-const TASK_PIXELS: usize = 1 << 14;
-/// Pixels turned into bytes before they are handed on, so that memory does not follow the band.
-const PART_PIXELS: usize = 1 << 20;
-
 /// Makes integer samples, most significant byte first as PNG and PPM want them.
+#[derive(Clone, Copy)]
 pub(crate) struct SampleBytes {
     depth: BitDepth,
     transfer: Transfer,
-    bytes: Vec<u8>,
 }
 
 impl SampleBytes {
     pub(crate) fn new(depth: BitDepth, transfer: Transfer) -> Self {
-        Self { depth, transfer, bytes: Vec::new() }
+        Self { depth, transfer }
     }
 
-    /// Hands the bytes of `pixels` in order to `take`, in parts of bounded length.
-    pub(crate) fn for_each_part(
-        &mut self,
-        pixels: &[[f32; 3]],
-        mut take: impl FnMut(&[u8]) -> Result<(), EncodeError>,
-    ) -> Result<(), EncodeError> {
-        let pixel_bytes = match self.depth {
+    /// Bytes of a pixel.
+    pub(crate) fn pixel_bytes(self) -> usize {
+        match self.depth {
             BitDepth::Eight => 3,
             BitDepth::Sixteen => 6,
-        };
-        for part in pixels.chunks(PART_PIXELS) {
-            let needed = part.len() * pixel_bytes;
-            if self.bytes.len() < needed {
-                self.bytes.resize(needed, 0);
-            }
-            let bytes = &mut self.bytes[..needed];
-            let (depth, transfer) = (self.depth, self.transfer);
-            part.par_chunks(TASK_PIXELS)
-                .zip(bytes.par_chunks_mut(TASK_PIXELS * pixel_bytes))
-                .for_each(|(pixels, bytes)| sample_bytes(pixels, depth, transfer, bytes));
-            take(bytes)?;
         }
-        Ok(())
+    }
+
+    /// The bytes of some pixels.
+    pub(crate) fn put(self, pixels: &[[f32; 3]], bytes: &mut [u8]) {
+        sample_bytes(pixels, self.depth, self.transfer, bytes);
     }
 }
 

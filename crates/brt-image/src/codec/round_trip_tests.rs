@@ -54,7 +54,16 @@ fn all_encodings() -> Vec<Encoding> {
     for format in [PictureFormat::Png, PictureFormat::Ppm, PictureFormat::Exr] {
         for depth in [BitDepth::Eight, BitDepth::Sixteen] {
             for transfer in [Transfer::Srgb, Transfer::Linear] {
-                all.push(Encoding { format, depth, transfer });
+                all.push(Encoding { format, depth, transfer, ..Encoding::default() });
+            }
+            if format == PictureFormat::Png {
+                let small = [Compression::Balanced, Compression::Small];
+                all.extend(small.map(|compression| Encoding {
+                    format,
+                    depth,
+                    compression,
+                    ..Encoding::default()
+                }));
             }
         }
     }
@@ -123,6 +132,38 @@ fn bands_of_any_height_give_the_same_file() {
             assert!(encoded_file(&path, &image, encoding, rows) == whole_file, "{rows} {encoding:?}");
         }
     }
+}
+
+/// Grey, one colour, smooth and rough pictures of many sizes: segments of every height, and a last one of every height.
+#[test]
+fn pngs_of_many_sizes_are_read_back_and_the_same_on_any_number_of_threads() {
+    let pools = [1, 2, 5].map(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap());
+    let pngs = all_encodings().into_iter().filter(|e| e.format == PictureFormat::Png);
+    let pngs: Vec<_> = pngs.collect();
+    for (width, height) in [(1, 1), (1, 700), (3, 129), (700, 1), (255, 257), (2000, 90), (100_000, 3)] {
+        let mut image = test_picture(PictureSize::new(width, height));
+        for (i, pixel) in image.pixels_mut().iter_mut().enumerate() {
+            match i / (width as usize) % 40 {
+                0..10 => *pixel = [pixel[0]; 3],
+                10..20 => *pixel = [0.25, 0.5, 0.75],
+                _ => {}
+            }
+        }
+        for &encoding in &pngs {
+            let [one, two, five] =
+                [0, 1, 2].map(|p| pools[p].install(|| encoded(&image, encoding, [height, 7, 64][p])));
+            assert!(one == two && two == five, "{width}×{height} {encoding:?}");
+            assert_levels(&decode_picture(&one, PictureLimits::default()).unwrap(), &image, encoding);
+        }
+    }
+}
+
+#[test]
+fn more_time_makes_smaller_files() {
+    let image = test_picture(PictureSize::new(300, 300));
+    let sizes = [Compression::Fast, Compression::Balanced, Compression::Small]
+        .map(|compression| encoded(&image, Encoding { compression, ..Encoding::default() }, 300).len());
+    assert!(sizes.is_sorted_by(|a, b| a > b), "{sizes:?}");
 }
 
 #[test]

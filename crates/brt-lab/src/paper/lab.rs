@@ -3,7 +3,7 @@
 //! Times are processor times of one thread: other programs disturb them least. Contenders take turns within each
 //! repetition, so that a machine which slows down slows all of them.
 
-use brt::{Method, Rows, Run, Scene, Settings, Sink, SinkError, Stats, render};
+use brt::{Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, render};
 use cpu_time::ProcessTime;
 
 use super::fit::median;
@@ -133,7 +133,8 @@ impl<'a> Lab<'a> {
     }
 
     fn run(&self, threads: usize) -> Run<'a> {
-        Run { threads, cancel: self.watch.cancel, ..Run::default() }
+        // The paper's methods follow single rays, and so does what they are compared with.
+        Run { threads, cancel: self.watch.cancel, rays: RayOrder::Single, ..Run::default() }
     }
 }
 

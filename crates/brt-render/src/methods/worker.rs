@@ -1,11 +1,14 @@
 //! What every method works with on a tile: samples that are traced at most once.
 
+use brt_geometry::{LANES, LaneRays, Lanes, Ray, SimdLevel};
+
 use crate::picture::Layer;
 use crate::prepare::PreparedCamera;
 use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock, Tile, TileSamples};
 use crate::render::Job;
+use crate::run::RayOrder;
 use crate::settings::Settings;
-use crate::tracing::{Guide, Sight, Tracer, Unguided};
+use crate::tracing::{Bundle, Guide, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -17,6 +20,8 @@ pub(crate) struct TileWorker<'a> {
     pub(crate) wants_histories: bool,
     /// Is it to be shown which certificates failed?
     pub(crate) wants_causes: bool,
+    /// How all samples are traced where no method chooses.
+    pub(crate) rays: RayOrder,
 }
 
 /// Where a first hit comes from.
@@ -38,15 +43,17 @@ impl<'a> TileWorker<'a> {
         }
     }
 
-    pub(crate) fn new(job: &Job<'a>) -> Self {
+    pub(crate) fn new(job: &Job<'a>, rays: RayOrder) -> Self {
         let Settings { history, layers, .. } = job.settings;
+        let wants_histories = layers.contains(&Layer::History);
         Self {
             tracer: Tracer::new(job.scene, *history, job.max_depth),
             camera: job.camera,
             samples: TileSamples::default(),
             perspective: PerspectiveImage::default(),
-            wants_histories: layers.contains(&Layer::History),
+            wants_histories,
             wants_causes: layers.contains(&Layer::Certificates),
+            rays: if wants_histories { RayOrder::Single } else { rays },
         }
     }
 
@@ -72,6 +79,39 @@ impl<'a> TileWorker<'a> {
         self.samples.color[index] = traced.color.to_f32();
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;
+    }
+
+    /// Traces up to [`MOST_RAYS`](crate::tracing::MOST_RAYS) samples together, by column and row of the tile; gives each
+    /// its colour and this state.
+    pub(super) fn trace_samples(
+        &mut self,
+        tile: &Tile,
+        samples: &[[u32; 2]],
+        first: Sight,
+        guide: impl Guide,
+        state: SampleState,
+    ) {
+        let camera = self.camera;
+        let last = samples.len() - 1;
+        let bundle = Bundle::new(samples.len(), |packet| {
+            let at = |lane: usize| samples[(packet * LANES + lane).min(last)];
+            let x = Lanes::from_fn(|lane| f64::from(tile.x + at(lane)[0]));
+            let y = Lanes::from_fn(|lane| f64::from(tile.y + at(lane)[1]));
+            SimdLevel::default().run(
+                #[inline(always)]
+                || {
+                    let Ray { origin, direction, .. } = camera.ray(x, y);
+                    LaneRays { origin, direction }
+                },
+            )
+        });
+        let mut colors = NO_COLORS;
+        self.tracer.trace_bundle(&bundle, first, guide, &mut colors);
+        for (i, &[x, y]) in samples.iter().enumerate() {
+            let index = tile.index(x, y);
+            self.samples.color[index] = color_at(&colors, i).to_f32();
+            self.samples.state[index] = state;
+        }
     }
 
     /// Traces a sample for nothing but its history. Its rays are not counted.

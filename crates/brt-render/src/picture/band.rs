@@ -9,7 +9,8 @@ use crate::settings::{CheckedPixels, Settings};
 /// A finished tile: shares of pixels, and its layers.
 pub(crate) struct TilePicture {
     pub(crate) tile: Tile,
-    pub(crate) colors: TileColors,
+    /// `None` where pixels take no shares from other tiles: they are in the band's rows then.
+    pub(crate) colors: Option<TileColors>,
     /// The same by full ray tracing.
     pub(crate) full: Option<TileColors>,
     pub(crate) layers: Vec<LayerRows>,
@@ -31,21 +32,27 @@ impl<'a> BandAssembler<'a> {
         Self { grid, layers: &settings.layers, open }
     }
 
-    /// Joins the tiles of a band, left to right, and returns the rows that are finished with it.
-    pub(crate) fn add_band(&mut self, tiles: &[TilePicture]) -> Rows {
-        let last_row =
-            |t: &TilePicture| t.colors.y + i64::from(t.colors.colors.len() as u32 / t.colors.width);
-        let end = tiles.iter().map(last_row).max().unwrap_or(0).clamp(0, i64::from(self.grid.height)) as u32;
+    /// Joins the tiles of a band, left to right, and returns the rows that are finished with it. `colors` are the band's
+    /// rows, if tiles have none.
+    pub(crate) fn add_band(&mut self, tiles: &[TilePicture], colors: Vec<[f32; 3]>) -> Rows {
+        let band_end = tiles.first().map_or(0, |t| (t.tile.y + t.tile.height) / self.grid.per_side);
+        let last_row = |t: &TileColors| t.y + i64::from(t.colors.len() as u32 / t.width);
+        let last_rows = tiles.iter().filter_map(|t| t.colors.as_ref()).map(last_row);
+        let height = i64::from(self.grid.height);
+        let end = last_rows.max().map_or(band_end, |end| end.clamp(0, height) as u32);
         let rows = end - self.open.first;
-        let colors = tiles.iter().map(|tile| &tile.colors);
-        add_tiles(self.grid, self.open.first, rows, &mut self.open.colors, colors);
+        if colors.is_empty() {
+            let colors = tiles.iter().filter_map(|tile| tile.colors.as_ref());
+            add_tiles(self.grid, self.open.first, rows, &mut self.open.colors, colors);
+        } else {
+            self.open.colors = colors;
+        }
         if let Some(open) = &mut self.open.full {
             let full = tiles.iter().filter_map(|tile| tile.full.as_ref());
             add_tiles(self.grid, self.open.first, rows, open, full);
         }
         self.make_room_for_layers(rows);
         tiles.iter().for_each(|tile| self.copy_layers(tile));
-        let band_end = tiles.first().map_or(0, |t| (t.tile.y + t.tile.height) / self.grid.per_side);
         // With a wide filter the next band still adds to this band's last row.
         let is_last = band_end == self.grid.height;
         let waiting = if is_last || end == band_end { 0 } else { end - band_end + 1 };

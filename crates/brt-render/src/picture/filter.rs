@@ -40,6 +40,26 @@ pub(crate) struct TileColors {
     pub(crate) colors: Vec<[f32; 3]>,
 }
 
+/// Applies a filter without margin to a tile, whose part of the picture's rows is given.
+pub(crate) fn reduce_into(
+    filter: Filter,
+    grid: &SampleGrid,
+    tile: &Tile,
+    samples: &[[f32; 3]],
+    rows: &mut [&mut [[f32; 3]]],
+) {
+    if grid.per_side == 1 {
+        for (row, samples) in rows.iter_mut().zip(samples.chunks_exact(tile.width as usize)) {
+            row.copy_from_slice(samples);
+        }
+        return;
+    }
+    let TileColors { width, colors, .. } = reduce(filter, grid, tile, samples);
+    for (row, colors) in rows.iter_mut().zip(colors.chunks_exact(width as usize)) {
+        row.copy_from_slice(colors);
+    }
+}
+
 /// Applies the filter to a tile.
 pub(crate) fn reduce(filter: Filter, grid: &SampleGrid, tile: &Tile, samples: &[[f32; 3]]) -> TileColors {
     let n = grid.per_side;

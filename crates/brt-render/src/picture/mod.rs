@@ -7,7 +7,7 @@ mod sink;
 
 pub(crate) use band::{BandAssembler, TilePicture};
 pub use filter::Filter;
-pub(crate) use filter::{TileColors, reduce};
+pub(crate) use filter::{TileColors, reduce, reduce_into};
 pub use layers::{Layer, LayerRows};
 pub(crate) use layers::{LayerSources, tile_layer};
 pub use sink::{Rows, Sink, SinkError};

@@ -29,7 +29,10 @@ impl Rows {
 pub type SinkError = Box<dyn std::error::Error + Send + Sync>;
 
 /// Takes finished rows, from the top of the picture to its bottom, each once.
-pub trait Sink {
+///
+/// Called on a thread of the rendering's pool while other threads render on: what it does in parallel by `rayon` is done
+/// by the same threads.
+pub trait Sink: Send {
     /// Takes rows.
     ///
     /// # Errors

@@ -4,10 +4,11 @@ use brt_geometry::{
     Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, is_convex, polygon_plane,
     triangulate,
 };
-use brt_scene::{Scene, Shape};
+use brt_image::Rgb;
+use brt_scene::{Object, Scene, Shape};
 
 use super::mesh::flatten_mesh;
-use crate::products::{NO_NORMALS, PrimitiveInfo, Surface};
+use crate::products::{NO_COLORS, NO_NORMALS, PrimitiveInfo, Surface};
 
 /// Primitives of a scene and what is known of them.
 #[derive(Default)]
@@ -16,6 +17,20 @@ pub(super) struct Flattened {
     pub(super) infos: Vec<PrimitiveInfo>,
     pub(super) surfaces: Vec<Surface>,
     pub(super) normals: Vec<[Vec3; 3]>,
+    pub(super) colors: Vec<[Rgb; 3]>,
+}
+
+/// What is interpolated between the corners of a triangle.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Corners {
+    pub(super) normals: Option<[Vec3; 3]>,
+    pub(super) colors: Option<[Rgb; 3]>,
+}
+
+/// Adds an item, if there is one; returns its index.
+fn keep<T>(items: &mut Vec<T>, item: Option<T>) -> Option<u32> {
+    items.push(item?);
+    Some((items.len() - 1) as u32)
 }
 
 /// The object that is being flattened.
@@ -33,7 +48,7 @@ impl Flattened {
             let material = &scene.materials[object.material.0 as usize];
             let owner =
                 Owner { object: index, material: object.material.0, casts_shadow: material.casts_shadow };
-            flat.add_shape(&object.shape, owner);
+            flat.add_object(object, owner);
         }
         flat
     }
@@ -44,37 +59,27 @@ impl Flattened {
         (self.surfaces.len() - 1) as u32
     }
 
-    /// A primitive on a surface, with shading normals if it is smooth.
-    pub(super) fn add(
-        &mut self,
-        primitive: Primitive,
-        owner: Owner,
-        surface: u32,
-        normals: Option<[Vec3; 3]>,
-    ) {
-        let normals = match normals {
-            Some(normals) => {
-                self.normals.push(normals);
-                (self.normals.len() - 1) as u32
-            }
-            None => NO_NORMALS,
-        };
+    /// A primitive on a surface, with what is interpolated between its corners.
+    pub(super) fn add(&mut self, primitive: Primitive, owner: Owner, surface: u32, corners: Corners) {
+        let normals = keep(&mut self.normals, corners.normals).unwrap_or(NO_NORMALS);
+        let colors = keep(&mut self.colors, corners.colors).unwrap_or(NO_COLORS);
         self.primitives.push(primitive);
         self.infos.push(PrimitiveInfo {
             surface,
             material: owner.material,
             normals,
+            colors,
             casts_shadow: owner.casts_shadow,
         });
     }
 
     fn add_alone(&mut self, primitive: Primitive, owner: Owner) {
         let surface = self.add_surface(owner);
-        self.add(primitive, owner, surface, None);
+        self.add(primitive, owner, surface, Corners::default());
     }
 
-    fn add_shape(&mut self, shape: &Shape, owner: Owner) {
-        match shape {
+    fn add_object(&mut self, object: &Object, owner: Owner) {
+        match &object.shape {
             Shape::Sphere { center, radius } => {
                 self.add_alone(Primitive::Sphere(Sphere { center: *center, radius: *radius }), owner);
             }
@@ -94,7 +99,7 @@ impl Flattened {
             Shape::Cone { base, base_radius, top, top_radius, capped } => {
                 self.add_round([*base, *top], [*base_radius, *top_radius], *capped, owner);
             }
-            Shape::Mesh(mesh) => flatten_mesh(mesh, owner, self),
+            Shape::Mesh(mesh) => flatten_mesh(mesh, &object.transform, owner, self),
         }
     }
 
@@ -107,14 +112,14 @@ impl Flattened {
                 [a, b, c] => Primitive::Triangle(Triangle { plane, corners: [a, b, c] }),
                 _ => Primitive::Polygon(Polygon { plane, corners: outline.into() }),
             };
-            self.add(primitive, owner, surface, None);
+            self.add(primitive, owner, surface, Corners::default());
             return;
         }
         // All parts keep the polygon's plane, so they are hit at one distance.
         let corners: Vec<Vec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
         for triangle in triangulate(outline, holes, fit.normal) {
             let part = Triangle { plane, corners: triangle.map(|i| corners[i as usize]) };
-            self.add(Primitive::Triangle(part), owner, surface, None);
+            self.add(Primitive::Triangle(part), owner, surface, Corners::default());
         }
     }
 

@@ -1,19 +1,21 @@
 //! Meshes become triangles on smooth groups.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
-use brt_geometry::{FACET_ANGLE, Primitive, Triangle, Vec3};
+use brt_geometry::{Affine, FACET_ANGLE, Primitive, Triangle, Vec3};
 use brt_scene::Mesh;
 
-use super::flatten::{Flattened, Owner};
+use super::flatten::{Corners, Flattened, Owner};
 
 /// Adds a mesh's triangles. Those without area are left out: no ray can meet them.
-pub(super) fn flatten_mesh(mesh: &Mesh, owner: Owner, flat: &mut Flattened) {
+pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut Flattened) {
+    let mesh = &placed(mesh, map);
     let corners = |t: &[u32; 3]| t.map(|i| mesh.positions[i as usize]);
     let solid: Vec<(&[u32; 3], Triangle)> =
         mesh.triangles.iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
     let mut groups = Groups::new(solid.len());
-    let is_smooth = !mesh.normals.is_empty();
+    let (is_smooth, has_colors) = (!mesh.normals.is_empty(), !mesh.colors.is_empty());
     join_neighbours(&solid, is_smooth, &mut groups);
 
     let mut surface_of_group: HashMap<usize, u32> = HashMap::new();
@@ -21,9 +23,26 @@ pub(super) fn flatten_mesh(mesh: &Mesh, owner: Owner, flat: &mut Flattened) {
         let group = groups.find(index);
         let surface = *surface_of_group.entry(group).or_insert_with(|| flat.add_surface(owner));
         let normal = |i: u32| mesh.normals[i as usize].try_normalize().unwrap_or(triangle.plane.normal);
-        let normals = is_smooth.then(|| indices.map(normal));
-        flat.add(Primitive::Triangle(*triangle), owner, surface, normals);
+        let corners = Corners {
+            normals: is_smooth.then(|| indices.map(normal)),
+            colors: has_colors.then(|| indices.map(|i| mesh.colors[i as usize])),
+        };
+        flat.add(Primitive::Triangle(*triangle), owner, surface, corners);
     }
+}
+
+/// The mesh in the scene's space. A map that mirrors turns triangles around, so that fronts stay fronts.
+fn placed<'m>(mesh: &'m Mesh, map: &Affine) -> Cow<'m, Mesh> {
+    if *map == Affine::IDENTITY {
+        return Cow::Borrowed(mesh);
+    }
+    let mut placed = mesh.clone();
+    placed.positions.iter_mut().for_each(|p| *p = map.point(*p));
+    placed.normals.iter_mut().for_each(|n| *n = map.normal(*n));
+    if map.mirrors() {
+        placed.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    Cow::Owned(placed)
 }
 
 /// Joins triangles over common edges: all in a mesh with normals, those in one plane in a mesh without.

@@ -9,7 +9,7 @@ pub use camera::PreparedCamera;
 use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
 use brt_scene::{Light, Material, Scene};
 
-use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene, PrimitiveInfo};
 use crate::settings::Accelerator;
 use flatten::Flattened;
 
@@ -18,7 +18,10 @@ const FEW: usize = 3;
 
 /// Flattens a scene and builds an index over its primitives. The scene must have passed [`Scene::check`].
 pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
-    let Flattened { primitives, infos, surfaces, normals } = Flattened::of(scene);
+    let Flattened { primitives, infos, surfaces, normals, colors } = Flattened::of(scene);
+    let dims =
+        |info: &PrimitiveInfo| info.casts_shadow && scene.materials[info.material as usize].opacity < 1.0;
+    let has_dimmers = infos.iter().any(dims);
     let mut boxes = Vec::with_capacity(primitives.len());
     let mut outside = Vec::new();
     for (id, primitive) in (0_u32..).zip(&primitives) {
@@ -49,6 +52,8 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
         lights: scene.lights.iter().map(prepare_light).collect(),
         materials: scene.materials.iter().map(prepare_material).collect(),
         background: scene.background,
+        has_dimmers,
+        colors,
     }
 }
 
@@ -72,6 +77,8 @@ fn prepare_light(light: &Light) -> PreparedLight {
 pub(crate) fn prepare_material(m: &Material) -> PreparedMaterial {
     PreparedMaterial {
         color: m.color,
+        emission: m.emission,
+        opacity: m.opacity,
         checker: m.checker.clone(),
         ambient: m.ambient,
         diffuse: m.diffuse,

@@ -26,6 +26,8 @@ pub(crate) enum Step {
     DepthEnd,
     /// Total reflection.
     TotalReflection,
+    /// A light is seen through this surface, which is not wholly there.
+    Crossed(u32),
 }
 
 impl RayHistory {
@@ -40,6 +42,7 @@ impl RayHistory {
             Step::Hidden(surface) => (5, u64::from(surface)),
             Step::DepthEnd => (6, 0),
             Step::TotalReflection => (7, 0),
+            Step::Crossed(surface) => (8, u64::from(surface)),
         };
         let mixed =
             (self.0 ^ value.wrapping_mul(0xff51_afd7_ed55_8ccd) ^ tag).wrapping_mul(0x9e37_79b9_7f4a_7c15);

@@ -17,7 +17,7 @@ pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;
 pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
-pub(crate) use prepared::{Beam, NO_NORMALS, PreparedLight, PreparedMaterial, PrimitiveInfo};
+pub(crate) use prepared::{Beam, NO_COLORS, NO_NORMALS, PreparedLight, PreparedMaterial, PrimitiveInfo};
 pub use prepared::{PreparedScene, Surface};
 pub use stats::{BlockCounts, PixelCounts, RayCounts, Seconds, Stats};
 pub(crate) use stats::{Counters, StageClock};

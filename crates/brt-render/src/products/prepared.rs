@@ -22,12 +22,21 @@ pub struct PreparedScene {
     pub(crate) lights: Vec<PreparedLight>,
     pub(crate) materials: Vec<PreparedMaterial>,
     pub(crate) background: Rgb,
+    /// Does anything dim lights instead of hiding them?
+    pub(crate) has_dimmers: bool,
+    /// Colours of the corners of triangles.
+    pub(crate) colors: Vec<[Rgb; 3]>,
 }
 
 impl PreparedScene {
     /// Number of primitives.
     pub fn primitive_count(&self) -> usize {
         self.primitives.len()
+    }
+
+    /// Does a primitive, if it casts shadows, only dim the lights behind it?
+    pub(crate) fn dims(&self, id: u32) -> bool {
+        self.materials[self.infos[id as usize].material as usize].opacity < 1.0
     }
 
     /// All surfaces; ray histories and surface layers name them by position.
@@ -47,6 +56,9 @@ pub struct Surface {
 /// No shading normals: the geometric normal is used.
 pub(crate) const NO_NORMALS: u32 = u32::MAX;
 
+/// No colours of corners.
+pub(crate) const NO_COLORS: u32 = u32::MAX;
+
 /// What else there is to know of a primitive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PrimitiveInfo {
@@ -54,8 +66,18 @@ pub(crate) struct PrimitiveInfo {
     pub(crate) material: u32,
     /// Index into [`PreparedScene::normals`] or [`NO_NORMALS`].
     pub(crate) normals: u32,
+    /// Index into [`PreparedScene::colors`] or [`NO_COLORS`].
+    pub(crate) colors: u32,
     /// Does it hide lights?
     pub(crate) casts_shadow: bool,
+}
+
+impl PrimitiveInfo {
+    /// Is nothing interpolated between corners? Bounds and lanes know nothing else.
+    #[inline(always)]
+    pub(crate) fn is_plain(&self) -> bool {
+        self.normals == NO_NORMALS && self.colors == NO_COLORS
+    }
 }
 
 /// A light with its direction normalised.
@@ -89,6 +111,8 @@ pub(crate) struct Beam {
 pub(crate) struct PreparedMaterial {
     pub(crate) color: Rgb,
     pub(crate) checker: Option<Checker>,
+    pub(crate) emission: Rgb,
+    pub(crate) opacity: f64,
     pub(crate) ambient: f64,
     pub(crate) diffuse: f64,
     pub(crate) specular: f64,
@@ -100,6 +124,12 @@ pub(crate) struct PreparedMaterial {
 }
 
 impl PreparedMaterial {
+    /// Does no ray go on behind the surface? Bounds and lanes know nothing else.
+    #[inline(always)]
+    pub(crate) fn ends_view(&self) -> bool {
+        self.transmission == 0.0 && self.opacity == 1.0
+    }
+
     /// Does a ray end here?
     pub(crate) fn is_dull(&self) -> bool {
         self.reflection == 0.0 && self.transmission == 0.0

@@ -4,7 +4,7 @@ use brt_geometry::{Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
 use brt_scene::Axis;
 
-use crate::products::{NO_NORMALS, PreparedMaterial, PreparedScene, PrimitiveInfo};
+use crate::products::{NO_COLORS, NO_NORMALS, PreparedMaterial, PreparedScene, PrimitiveInfo};
 
 /// A point on a surface, seen along a ray.
 pub(crate) struct Interaction<'a> {
@@ -36,19 +36,24 @@ impl<'a> Interaction<'a> {
         let outward = shape.normal_at(point);
         let from_behind = outward.dot(ray.direction) > 0.0;
         let turn = |n: Vec3| if from_behind { -n } else { n };
-        let smooth = match shape {
-            Primitive::Triangle(triangle) if info.normals != NO_NORMALS => {
+        let (mut smooth, mut tint) = (outward, None);
+        if let (Primitive::Triangle(triangle), false) = (shape, info.is_plain()) {
+            let [wa, wb, wc] = triangle.weights(ray);
+            if info.normals != NO_NORMALS {
                 let [a, b, c] = scene.normals[info.normals as usize];
-                let [wa, wb, wc] = triangle.weights(ray);
                 // Opposite normals cancel: where nothing is left the face's own is taken.
                 let mean = a * wa + b * wb + c * wc;
-                if mean.length_squared() > 0.0 { mean.normalize() } else { outward }
+                smooth = if mean.length_squared() > 0.0 { mean.normalize() } else { outward };
             }
-            _ => outward,
-        };
+            if info.colors != NO_COLORS {
+                let [a, b, c] = scene.colors[info.colors as usize];
+                tint = Some(a * wa + b * wb + c * wc);
+            }
+        }
         // Normals of files may point to the other side than the order of the corners says.
         let agrees = smooth.dot(outward) >= 0.0;
         let (body, cell) = body_at(material, point);
+        let body = tint.map_or(body, |tint| body * tint);
         Self {
             primitive,
             point,

@@ -4,21 +4,22 @@
 //! primitives' predicates, [`interaction`] and [`illumination`], and give the same bits.
 
 mod bounding_spheres;
+mod bundle;
 mod first_seen;
 mod guide;
 mod illumination;
 mod interaction;
-mod packet;
-mod packet_rays;
 mod patch;
 mod pencil;
 mod reference;
 mod search;
+mod see_through;
 mod shadow_space;
 mod source;
 mod tracer;
 
 pub(crate) use bounding_spheres::BoundingSpheres;
+pub(crate) use bundle::{Bundle, MOST_RAYS, NO_COLORS, color_at};
 /// No sample follows more mirror and refracted rays: between glass walls their number doubles at every bounce. Those
 /// beyond it end like those at the depth limit.
 const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;

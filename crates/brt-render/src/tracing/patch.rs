@@ -4,7 +4,7 @@ use brt_geometry::{Mask, Ray, Real, Taylor, Vec3};
 use brt_image::{Rgb, rgb};
 
 use super::illumination::{Directions, mirrored, reflected_light};
-use crate::products::{NO_NORMALS, PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
 
 /// The points of a primitive that a block of rays meets.
 pub(crate) struct Patch<'a> {
@@ -25,11 +25,12 @@ pub(crate) struct LightWays {
 }
 
 impl<'a> Patch<'a> {
-    /// Where rays meet a primitive at distance `t`; `None` for smooth triangles, and where rays may come from both
+    /// Where rays meet a primitive at distance `t`; `None` for triangles with something between
+    /// their corners, and where rays may come from both
     /// sides.
     pub(crate) fn at(scene: &'a PreparedScene, ray: &Ray<Taylor>, primitive: u32, t: Taylor) -> Option<Self> {
         let info = &scene.infos[primitive as usize];
-        if info.normals != NO_NORMALS || !(t.c.is_finite() && t.e.is_finite()) {
+        if !info.is_plain() || !(t.c.is_finite() && t.e.is_finite()) {
             return None;
         }
         let point = ray.at(t);
@@ -56,9 +57,11 @@ impl<'a> Patch<'a> {
         is_above(self.normal.dot(ways.towards))
     }
 
-    /// The colour without any light.
+    /// The colour without any light from elsewhere.
     pub(crate) fn ambient(&self, body: Rgb) -> Rgb<Taylor> {
-        constant(body) * Taylor::constant(self.material.ambient)
+        let ambient = constant(body) * Taylor::constant(self.material.ambient);
+        let emission = self.material.emission;
+        if emission == Rgb::BLACK { ambient } else { ambient + constant(emission) }
     }
 
     /// Light that arrives along these ways, where the surface faces it and nothing hides it.

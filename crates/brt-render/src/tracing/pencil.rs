@@ -49,7 +49,7 @@ impl PencilTracer<'_> {
         let patch = Patch::at(self.scene, ray, primitive, t)?;
         let material = patch.material;
         // Glass splits a pencil in two and chequers cut it: rays are left to do that.
-        if material.transmission > 0.0 || material.checker.is_some() {
+        if !material.ends_view() || material.checker.is_some() {
             return None;
         }
         let mut color = patch.ambient(material.color);
@@ -87,7 +87,7 @@ impl PencilTracer<'_> {
             // An infinite limit is met by every hit; comparing with it would say nothing.
             let before =
                 if t_max.is_finite() { hit.found & hit.t.lt(Taylor::constant(t_max)) } else { hit.found };
-            if before.all() {
+            if before.all() && !self.scene.dims(id) {
                 return Some(true);
             }
             is_certain &= !before.any();

@@ -7,6 +7,7 @@ use super::MOST_RAYS_PER_SAMPLE;
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met};
+use super::see_through::MOST_CROSSED;
 use crate::products::{PreparedLight, PreparedScene};
 
 /// Colour along a camera ray.
@@ -16,11 +17,34 @@ pub(crate) fn reference_sample(scene: &PreparedScene, ray: &Ray, max_depth: u32)
 }
 
 fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, rays_left: &mut u32) -> Rgb {
-    let Some(met) = nearest(scene, ray, from, f64::INFINITY, |_| true) else { return scene.background };
-    let here = Interaction::at(scene, ray, met.primitive, met.t);
-    let mut color = here.body * here.material.ambient;
+    let (mut ray, mut from) = (*ray, from);
+    let (mut color, mut share) = (Rgb::BLACK, 1.0);
+    loop {
+        let Some(met) = nearest(scene, &ray, from, f64::INFINITY, |_| true) else {
+            return color + scene.background * share;
+        };
+        let here = Interaction::at(scene, &ray, met.primitive, met.t);
+        let opacity = here.material.opacity;
+        color = color + surface_color(scene, &ray, &here, bounces_left, rays_left) * (share * opacity);
+        share = share * (1.0 - opacity);
+        if share == 0.0 || *rays_left == 0 {
+            return color;
+        }
+        *rays_left -= 1;
+        (ray, from) = (Ray::new(here.point, ray.direction), met.primitive);
+    }
+}
+
+fn surface_color(
+    scene: &PreparedScene,
+    ray: &Ray,
+    here: &Interaction,
+    bounces_left: u32,
+    rays_left: &mut u32,
+) -> Rgb {
+    let mut color = here.body * here.material.ambient + here.material.emission;
     for light in &scene.lights {
-        color = color + light_from(scene, light, &here, met.primitive);
+        color = color + light_from(scene, light, here);
     }
     if bounces_left == 0 {
         return color;
@@ -38,29 +62,48 @@ fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, r
     if mirror_share > 0.0 && *rays_left > 0 {
         *rays_left -= 1;
         let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1, rays_left) * mirror_share;
+        color = color + color_along(scene, &ray, here.primitive, bounces_left - 1, rays_left) * mirror_share;
     }
     if let Some(ray) = through
         && *rays_left > 0
     {
         *rays_left -= 1;
         let share = here.material.transmission;
-        color = color + color_along(scene, &ray, met.primitive, bounces_left - 1, rays_left) * share;
+        color = color + color_along(scene, &ray, here.primitive, bounces_left - 1, rays_left) * share;
     }
     color
 }
 
-fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction, from: u32) -> Rgb {
-    let (towards, t_max) = light.way_from(here.point);
+fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) -> Rgb {
+    let (towards, _) = light.way_from(here.point);
     if here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0 {
         return Rgb::BLACK;
     }
-    let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
-    if nearest(scene, &Ray::new(here.point, towards), from, t_max, casts_shadow).is_some() {
+    let share = share_of_light(scene, light, here);
+    if share == 0.0 {
         return Rgb::BLACK;
     }
     let directions = Directions { normal: here.normal, light: towards.normalize(), viewer: here.viewer };
-    reflected_light(here.material, here.body, light.source(directions.light), &directions)
+    reflected_light(here.material, here.body, light.source(directions.light), &directions) * share
+}
+
+/// The share of a light that the surfaces in its way let through, near ones first.
+fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) -> f64 {
+    let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
+    let mut share = 1.0;
+    let (mut point, mut from) = (here.point, here.primitive);
+    for _ in 0..MOST_CROSSED {
+        let (towards, t_max) = light.way_from(point);
+        let ray = Ray::new(point, towards);
+        let Some(met) = nearest(scene, &ray, from, t_max, casts_shadow) else { return share };
+        let material = scene.infos[met.primitive as usize].material;
+        share = share * (1.0 - scene.materials[material as usize].opacity);
+        if share == 0.0 {
+            return 0.0;
+        }
+        (point, from) = (ray.at(met.t), met.primitive);
+    }
+    0.0
 }
 
 fn nearest(

@@ -4,10 +4,10 @@ use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
+use super::bundle::{Lookup, Rooms};
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
-use super::packet::Levels;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
@@ -24,10 +24,11 @@ pub(crate) struct TracedSample {
 pub(crate) struct Tracer<'a> {
     pub(super) scene: &'a PreparedScene,
     pub(super) search: Search<'a>,
-    history_kind: HistoryKind,
+    pub(super) history_kind: HistoryKind,
     pub(super) max_depth: u32,
-    pub(super) levels: Levels,
-    history: RayHistory,
+    pub(super) lookup: Lookup,
+    pub(super) rooms: Rooms,
+    pub(super) history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
     pub(super) rays_left: u32,
     pub(crate) counters: Counters,
@@ -42,7 +43,8 @@ impl<'a> Tracer<'a> {
             search,
             history_kind,
             max_depth,
-            levels: Levels::default(),
+            lookup: Lookup::default(),
+            rooms: Rooms::default(),
             history,
             rays_left: 0,
             counters,
@@ -62,7 +64,7 @@ impl<'a> Tracer<'a> {
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
         let met = self.seen(ray, FROM_NOWHERE, first);
-        let color = self.color_of(ray, met, self.max_depth, guide);
+        let color = self.color_of(ray, met, self.max_depth, self.scene.background, guide);
         TracedSample { color, history: self.history }
     }
 
@@ -76,27 +78,44 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The colour of a ray from what it meets on, given what is known of it.
+    /// The colour of a ray from what it meets on, given what is known of it; `backdrop` is what is seen behind everything.
     pub(super) fn color_of(
         &mut self,
         ray: &Ray,
         met: Option<Met>,
         bounces_left: u32,
+        backdrop: Rgb,
         guide: impl Guide,
     ) -> Rgb {
         let Some(met) = met else {
             self.history.push(Step::Background);
-            return self.scene.background;
+            return backdrop;
         };
         let here = Interaction::at(self.scene, ray, met.primitive, met.t);
+        let color = self.surface_color(ray, &here, bounces_left, guide);
+        if here.material.opacity == 1.0 {
+            return color;
+        }
+        self.with_what_is_behind(color, ray, &here, bounces_left, backdrop)
+    }
+
+    /// The colour of a surface where a ray meets it.
+    #[inline(always)]
+    pub(super) fn surface_color(
+        &mut self,
+        ray: &Ray,
+        here: &Interaction,
+        bounces_left: u32,
+        guide: impl Guide,
+    ) -> Rgb {
         let (surface, from_behind) = (here.info.surface, here.from_behind);
         self.history.push(Step::Surface { surface, from_behind });
         if let Some(cell) = here.cell {
             self.history.push(Step::Cell(cell));
         }
-        let mut color = here.body * here.material.ambient;
+        let mut color = here.body * here.material.ambient + here.material.emission;
         for (index, light) in self.scene.lights.iter().enumerate() {
-            color = color + self.light_from(light, &here, guide.lighting(index));
+            color = color + self.light_from(light, here, guide.lighting(index));
         }
         if here.material.is_dull() {
             return color;
@@ -105,7 +124,7 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::DepthEnd);
             return color;
         }
-        self.with_further_rays(color, ray, &here, bounces_left - 1, guide)
+        self.with_further_rays(color, ray, here, bounces_left - 1, guide)
     }
 
     /// Adds what mirror and refracted rays bring.
@@ -135,17 +154,20 @@ impl<'a> Tracer<'a> {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
             let met = self.seen(&ray, here.primitive, guide.mirrored());
-            color = color + self.color_of(&ray, met, left, guide.next()) * mirror_share;
+            color =
+                color + self.color_of(&ray, met, left, self.scene.background, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
             let met = self.search.closest(&ray, here.primitive);
-            color = color + self.color_of(&ray, met, left, Unguided) * here.material.transmission;
+            color = color
+                + self.color_of(&ray, met, left, self.scene.background, Unguided)
+                    * here.material.transmission;
         }
         color
     }
 
-    fn may_follow(&mut self) -> bool {
+    pub(super) fn may_follow(&mut self) -> bool {
         if self.rays_left == 0 {
             self.history.push(Step::DepthEnd);
             return false;
@@ -159,19 +181,23 @@ impl<'a> Tracer<'a> {
         let (towards, t_max) = light.way_from(here.point);
         // A light behind the surface counts as hidden by the surface itself.
         let is_behind = here.normal.dot(towards) <= 0.0 || here.geometric_normal.dot(towards) <= 0.0;
+        let mut share = 1.0;
         let hidden_by = if is_behind {
             Some(here.info.surface)
+        } else if self.scene.has_dimmers && (lighting == Lighting::Unknown || self.asks_which()) {
+            self.share_of_light(light, here).map(|part| share = part).err()
         } else {
             self.hiding_surface(&here.point, &towards, here.primitive, t_max, lighting)
         };
         if let Some(surface) = hidden_by {
-            let shown = if self.history_kind == HistoryKind::Shadower { surface } else { NOTHING };
+            let shown = if self.asks_which() { surface } else { NOTHING };
             self.history.push(Step::Hidden(shown));
             return Rgb::BLACK;
         }
         self.history.push(Step::Lit);
         let directions = Directions { normal: here.normal, light: towards.normalize(), viewer: here.viewer };
-        reflected_light(here.material, here.body, light.source(directions.light), &directions)
+        let color = reflected_light(here.material, here.body, light.source(directions.light), &directions);
+        if share == 1.0 { color } else { color * share }
     }
 
     /// The surface between a point and a light; [`NOTHING`] stands for any if histories do not ask which.
@@ -184,7 +210,7 @@ impl<'a> Tracer<'a> {
         t_max: f64,
         lighting: Lighting,
     ) -> Option<u32> {
-        let asks_which = self.history_kind == HistoryKind::Shadower;
+        let asks_which = self.asks_which();
         match lighting {
             Lighting::Seen => return None,
             Lighting::Hidden if !asks_which => return Some(NOTHING),

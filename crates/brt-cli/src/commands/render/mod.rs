@@ -4,6 +4,7 @@ mod method;
 mod options;
 mod paper;
 mod pixel;
+mod sheet;
 mod stats_file;
 mod summary;
 mod targets;
@@ -27,14 +28,18 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let targets = Targets::new(options)?;
     let method = method::chosen(options, &targets.picture.encoding)?;
 
-    let limits = options.limits.limits(options.max_pixels);
-    let input = scene_input::read(&options.scene, &limits)?;
+    let input = scene_input::read(&options.scene, &options.reading, options.max_pixels)?;
     if !options.quiet {
         input.show_warnings();
     }
     // Its text may be large.
-    let scene = input.scene;
+    let mut scene = input.scene;
     let settings = settings(options, method, &scene)?;
+    if options.view.sheet {
+        sheet::render(options, &targets, &mut scene, &input.given, &settings)?;
+        return Ok(Outcome::Done);
+    }
+    options.view.apply(&mut scene, &input.given, settings.size)?;
     let load = begin.elapsed().as_secs_f64();
     if let Some(pixel) = options.pixel {
         return pixel::show(options, &scene, settings, pixel);

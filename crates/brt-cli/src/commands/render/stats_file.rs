@@ -9,7 +9,8 @@ use crate::commands::text_file::TextFile;
 use crate::exit::Failure;
 use crate::json;
 
-/// Times in seconds: stages summed over threads, the others by the clock.
+/// Times in seconds: stages summed over threads, the others by the clock. Threads encode while others render: `encode` is
+/// a thread's share of it, and `render` what is left.
 #[derive(Debug, Serialize)]
 pub(super) struct Seconds {
     load: f64,

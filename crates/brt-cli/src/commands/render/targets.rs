@@ -50,6 +50,10 @@ fn encoded(mut output: Output, options: &Options) -> Result<Output, Failure> {
     if options.bits.is_some() && output.encoding.format == PictureFormat::Exr {
         return Err(wrong_use("`--bits` belongs to .png and .ppm; .exr has 32-bit floats"));
     }
+    if options.compression.is_some() && output.encoding.format != PictureFormat::Png {
+        return Err(wrong_use("`--compression` belongs to .png"));
+    }
+    output.encoding.compression = options.compression.map_or_else(Default::default, Into::into);
     output.encoding.depth = options.bits.unwrap_or_default();
     output.encoding.transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
     for &layer in &options.layers {

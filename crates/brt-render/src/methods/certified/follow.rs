@@ -82,7 +82,7 @@ impl<'a> Follower<'a> {
     fn patch(&mut self, block: &RayBlock, primitive: u32, from: u32) -> Option<Patch<'a>> {
         let t = block.distance(&self.scene.primitives[primitive as usize], start(primitive, from));
         let patch = Patch::at(self.scene, &block.ray, primitive, t);
-        let patch = patch.filter(|patch| patch.material.transmission == 0.0);
+        let patch = patch.filter(|patch| patch.material.ends_view());
         self.counts.note(Certificate::Surface, patch.is_some());
         patch
     }

@@ -40,13 +40,13 @@ impl Default for CertifiedSettings {
 }
 
 /// Blocks of this side and less whose history is not proven are traced.
-const LEAF: u32 = 8;
+const LEAF: u32 = 16;
 
 /// Where a linear colour would hold over fewer samples along a side, single samples are shaded instead.
 const LEAST_EVEN: f64 = 3.0;
 
 /// Fewer samples are traced: proofs would cost more.
-const LEAST_PROVEN: u32 = 24;
+const LEAST_PROVEN: u32 = 48;
 
 /// Renders a tile whose perspective image is painted.
 pub(crate) fn render_certified(
@@ -135,7 +135,7 @@ impl Certified<'_, '_> {
         }
         // The remainder grows with the square of the side; in large blocks with more.
         let side = f64::from((area.x1 - area.x0).max(area.y1 - area.y0));
-        let is_too_steep = area.is_within(2 * LEAF) && side < LEAST_EVEN * excess.sqrt();
+        let is_too_steep = area.is_within(LEAF) && side < LEAST_EVEN * excess.sqrt();
         if is_too_steep || area.is_within(2) {
             self.shade(area, parts, history, Certificate::Color);
         } else {

@@ -1,15 +1,19 @@
 //! Giving the samples of a block their colours.
 
-use brt_geometry::{LANES, LaneMask, Lanes, SimdLevel, Taylor};
+use brt_geometry::Taylor;
 use brt_image::Rgb;
 
 use super::known_history::KnownHistory;
 use super::regions::Region;
 use super::{Certified, Parts};
 use crate::products::{Area, Certificate, SampleState};
+use crate::tracing::{MOST_RAYS, Sight};
 
 /// The state of samples that are not filled, and why they are not.
 type Reason = (SampleState, Certificate);
+
+/// Columns are gone through in strips of this many, so that as many samples as are traced together form a square.
+const STRIP: usize = 8;
 
 impl Certified<'_, '_> {
     /// Traces samples, guided by what is proven, as something could not be.
@@ -27,7 +31,7 @@ impl Certified<'_, '_> {
         let mut batch = Batch::default();
         self.for_each_sample(area, parts, history.first(), |this, x, y| {
             batch.add(x, y);
-            if batch.count == LANES {
+            if batch.count == MOST_RAYS {
                 this.trace_batch(&batch, history, reason);
                 batch.count = 0;
             }
@@ -38,34 +42,22 @@ impl Certified<'_, '_> {
         self.lap(|seconds| &mut seconds.trace);
     }
 
-    /// Traces up to eight samples in lanes.
+    /// Traces samples together.
     fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, (state, failed): Reason) {
         let guide = history.guide(&self.follower.candidates.lists);
         let worker = &mut *self.worker;
         let (first, tile) = (history.first(), self.tile);
         if worker.wants_histories {
-            (0..batch.count).for_each(|i| worker.note_history_of(tile, batch.x[i], batch.y[i]));
+            batch.samples[..batch.count].iter().for_each(|&[x, y]| worker.note_history_of(tile, x, y));
         }
-        let color = SimdLevel::default().run(
-            #[inline(always)]
-            || {
-                let x = Lanes::from_fn(|i| f64::from(tile.x + batch.x[i]));
-                let y = Lanes::from_fn(|i| f64::from(tile.y + batch.y[i]));
-                let ray = worker.camera.ray(x, y);
-                worker.tracer.trace_packet(&ray, LaneMask::first(batch.count), first, guide)
-            },
-        );
-        for i in 0..batch.count {
-            let index = tile.index(batch.x[i], batch.y[i]);
-            worker.samples.color[index] = [color.r.0[i] as f32, color.g.0[i] as f32, color.b.0[i] as f32];
-            worker.samples.state[index] = state;
-            if let Some(cause) = worker.samples.cause.get_mut(index) {
-                *cause = Some(failed);
-            }
+        let samples = &batch.samples[..batch.count];
+        worker.trace_samples(tile, samples, Sight::Met(first), guide, state);
+        if worker.wants_causes {
+            samples.iter().for_each(|&[x, y]| worker.samples.cause[tile.index(x, y)] = Some(failed));
         }
     }
 
-    /// Calls for every sample of the parts, by column and row of the tile.
+    /// Calls for every sample of the parts, by column and row of the tile, so that neighbours stay together.
     fn for_each_sample(
         &mut self,
         area: Area,
@@ -75,10 +67,13 @@ impl Certified<'_, '_> {
     ) {
         let tile = *self.tile;
         self.for_each_area(area, parts, |this, area, is_whole| {
-            for y in area.y0 - tile.y..area.y1 - tile.y {
-                for x in area.x0 - tile.x..area.x1 - tile.x {
-                    if is_whole || this.worker.perspective.primitive[tile.index(x, y)] == primitive {
-                        act(this, x, y);
+            let (first, last) = (area.x0 - tile.x, area.x1 - tile.x);
+            for start in (first..last).step_by(STRIP) {
+                for y in area.y0 - tile.y..area.y1 - tile.y {
+                    for x in start..last.min(start + STRIP as u32) {
+                        if is_whole || this.worker.perspective.primitive[tile.index(x, y)] == primitive {
+                            act(this, x, y);
+                        }
                     }
                 }
             }
@@ -142,17 +137,21 @@ impl Certified<'_, '_> {
     }
 }
 
-/// Samples to be traced together, by column and row of the tile. Lanes without a sample repeat an old one.
-#[derive(Default)]
+/// Samples to be traced together, by column and row of the tile.
 struct Batch {
-    x: [u32; LANES],
-    y: [u32; LANES],
+    samples: [[u32; 2]; MOST_RAYS],
     count: usize,
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        Self { samples: [[0; 2]; MOST_RAYS], count: 0 }
+    }
 }
 
 impl Batch {
     fn add(&mut self, x: u32, y: u32) {
-        (self.x[self.count], self.y[self.count]) = (x, y);
+        self.samples[self.count] = [x, y];
         self.count += 1;
     }
 }

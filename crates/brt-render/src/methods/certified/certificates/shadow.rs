@@ -1,7 +1,7 @@
 //! Proves that a light is seen from all points of a patch that face it, or from none.
 //!
 //! From: the shaft between the light and the patch; what reaches into it and casts shadows. Nothing: lit. A primitive
-//! that all ways certainly meet before the light: dark, as is a patch that faces away. (Where it is not certain that a
+//! that is wholly there and that all ways certainly meet before the light: dark, as is a patch that faces away. (Where it is not certain that a
 //! patch faces the light, a highlight would not end with the surface: open.) A flat primitive with the patch
 //! and the light on one side of its plane is in no way between them.
 
@@ -41,7 +41,7 @@ pub(in crate::methods::certified) fn lighting(
         return known;
     }
     if candidates.found.len() > MOST_CLASSIFIED {
-        return KnownLighting::Among(candidates.keep_found());
+        return among_found(candidates);
     }
     let ray = Ray::new(patch.point, ways.towards);
     let block = match light {
@@ -56,7 +56,7 @@ pub(in crate::methods::certified) fn lighting(
             t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
             _ => hit.found,
         };
-        is_hidden |= before.all();
+        is_hidden |= before.all() && !scene.dims(id);
         before.any()
     });
     if is_hidden {
@@ -66,8 +66,17 @@ pub(in crate::methods::certified) fn lighting(
     let is_lit = faces == Some(true) || patch.material.specular == 0.0;
     match candidates.found.is_empty() && is_lit {
         true => KnownLighting::Seen,
-        false => KnownLighting::Among(candidates.keep_found()),
+        false => among_found(candidates),
     }
+}
+
+/// One of those found, if any, hides the light. Where one of them only dims it, a list would say too little.
+fn among_found(candidates: &mut Candidates) -> KnownLighting {
+    let scene = candidates.scene;
+    if scene.has_dimmers && candidates.found.iter().any(|&id| scene.dims(id)) {
+        return KnownLighting::Unknown;
+    }
+    KnownLighting::Among(candidates.keep_found())
 }
 
 /// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.

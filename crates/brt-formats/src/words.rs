@@ -1,4 +1,4 @@
-//! Words of an NFF file and their places.
+//! Words of a text file and their places; `#` starts a comment.
 
 use std::ops::Range;
 
@@ -8,22 +8,32 @@ use brt_scene::Diagnostic;
 
 /// A word and its place.
 #[derive(Clone, Debug)]
-pub(super) struct Word<'b> {
-    pub(super) bytes: &'b [u8],
-    pub(super) span: Range<usize>,
+pub(crate) struct Word<'b> {
+    pub(crate) bytes: &'b [u8],
+    pub(crate) span: Range<usize>,
 }
 
 impl Word<'_> {
     /// The start of the word, fit for a message.
-    pub(super) fn excerpt(&self) -> String {
+    pub(crate) fn excerpt(&self) -> String {
         const LONGEST: usize = 40;
         let shown = &self.bytes[..self.bytes.len().min(LONGEST)];
         let dots = if shown.len() < self.bytes.len() { "..." } else { "" };
         format!("{}{dots}", shown.escape_ascii())
     }
 
-    pub(super) fn is_number(&self) -> bool {
+    /// Is it this word, in any case?
+    pub(crate) fn is(&self, word: &str) -> bool {
+        self.bytes.eq_ignore_ascii_case(word.as_bytes())
+    }
+
+    pub(crate) fn is_number(&self) -> bool {
         self.number().is_some()
+    }
+
+    /// The word as a finite number.
+    pub(crate) fn finite(&self) -> Option<f64> {
+        self.number().filter(|n| n.is_finite())
     }
 
     fn number(&self) -> Option<f64> {
@@ -32,23 +42,23 @@ impl Word<'_> {
 }
 
 /// Walks over the words; `#` starts a comment up to the end of the line.
-pub(super) struct Words<'b> {
+pub(crate) struct Words<'b> {
     bytes: &'b [u8],
     at: usize,
 }
 
 impl<'b> Words<'b> {
-    pub(super) fn new(bytes: &'b [u8]) -> Self {
+    pub(crate) fn new(bytes: &'b [u8]) -> Self {
         Self { bytes, at: if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 } }
     }
 
-    pub(super) fn next(&mut self) -> Option<Word<'b>> {
+    pub(crate) fn next(&mut self) -> Option<Word<'b>> {
         let word = self.peek()?;
         self.at = word.span.end;
         Some(word)
     }
 
-    pub(super) fn peek(&mut self) -> Option<Word<'b>> {
+    pub(crate) fn peek(&mut self) -> Option<Word<'b>> {
         loop {
             let rest = &self.bytes[self.at..];
             self.at += rest.iter().position(|b| !b.is_ascii_whitespace()).unwrap_or(rest.len());
@@ -63,26 +73,38 @@ impl<'b> Words<'b> {
     }
 
     /// Goes to the end of the line.
-    pub(super) fn skip_line(&mut self) {
+    pub(crate) fn skip_line(&mut self) {
         let rest = &self.bytes[self.at..];
         let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
         self.at += rest.iter().position(is_end).unwrap_or(rest.len());
     }
 
+    /// The next word, if it is on this line.
+    pub(crate) fn next_on_line(&mut self) -> Option<Word<'b>> {
+        if self.line_goes_on() { self.next() } else { None }
+    }
+
+    /// What is left of the line, comments and all.
+    pub(crate) fn rest_of_line(&mut self) -> &'b [u8] {
+        let start = self.at;
+        self.skip_line();
+        &self.bytes[start..self.at]
+    }
+
     /// Is there another word on this line?
-    pub(super) fn line_goes_on(&self) -> bool {
+    pub(crate) fn line_goes_on(&self) -> bool {
         let rest = self.bytes[self.at..].iter();
         let mut rest = rest.skip_while(|b| matches!(b, b' ' | b'\t'));
         !matches!(rest.next(), None | Some(b'\n' | b'\r' | b'#'))
     }
 
     /// End of the last word read.
-    pub(super) fn position(&self) -> usize {
+    pub(crate) fn position(&self) -> usize {
         self.at
     }
 
     /// The next word as a finite number, `what` in messages.
-    pub(super) fn number(&mut self, what: &str) -> Result<f64, Diagnostic> {
+    pub(crate) fn number(&mut self, what: &str) -> Result<f64, Diagnostic> {
         let end = self.bytes.len();
         let Some(word) = self.peek() else {
             return Err(Diagnostic::error("the file ends too early", Some(end..end)).expecting(what));
@@ -103,16 +125,16 @@ impl<'b> Words<'b> {
         }
     }
 
-    pub(super) fn vector(&mut self, what: &str) -> Result<Vec3, Diagnostic> {
+    pub(crate) fn vector(&mut self, what: &str) -> Result<Vec3, Diagnostic> {
         Ok(vec3(self.number(what)?, self.number(what)?, self.number(what)?))
     }
 
-    pub(super) fn color(&mut self, what: &str) -> Result<Rgb, Diagnostic> {
+    pub(crate) fn color(&mut self, what: &str) -> Result<Rgb, Diagnostic> {
         Ok(rgb(self.number(what)?, self.number(what)?, self.number(what)?))
     }
 
     /// The next word as a whole number from 0 to 2³² - 1.
-    pub(super) fn whole(&mut self, what: &str) -> Result<u32, Diagnostic> {
+    pub(crate) fn whole(&mut self, what: &str) -> Result<u32, Diagnostic> {
         let before = self.peek();
         let n = self.number(what)?;
         if (0.0..=f64::from(u32::MAX)).contains(&n) && n.fract() == 0.0 {

@@ -1,0 +1,101 @@
+//! Model files: framed, coloured, from standard input, and what is said about those that cannot be read.
+
+use std::fs;
+
+use crate::bench::{Bench, size_of};
+
+const OFF: &str = "OFF\n4 4 0\n0 0 0\n2 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    fs::write(bench.path("part.off"), OFF).unwrap();
+    bench
+}
+
+#[test]
+fn a_model_needs_no_camera_light_or_flag() {
+    let bench = bench();
+    let ended = bench.done("render part.off -s 40x30 --samples 1");
+    assert_eq!((ended.text(), ended.errors.as_str()), ("", ""));
+    assert_eq!(size_of(&bench.path("part.png")), [40, 30]);
+}
+
+#[test]
+fn views_differ_and_take_negative_angles() {
+    let bench = bench();
+    let picture = |arguments: &str| {
+        bench.done(&format!("render part.off a.png -s 32x32 --samples 1 {arguments}"));
+        fs::read(bench.path("a.png")).unwrap()
+    };
+    let pictures = [
+        picture(""),
+        picture("--view front"),
+        picture("--view top --up -z"),
+        picture("--view -30,-20"),
+        picture("--zoom 0.5"),
+        picture("--parallel"),
+        picture("--floor"),
+        picture("--color #ff0000"),
+        picture("--sheet"),
+    ];
+    for (i, a) in pictures.iter().enumerate() {
+        assert!(pictures[..i].iter().all(|b| a != b), "{i}");
+    }
+    assert_eq!(picture("--view iso --up z"), pictures[0]);
+}
+
+#[test]
+fn strict_makes_warnings_an_error() {
+    let bench = bench();
+    fs::write(bench.path("odd.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncurv 1 2\n").unwrap();
+    assert!(bench.done("render odd.obj --no-save -s 8x8").errors.contains("`curv` ignored"));
+    let ended = bench.run("render odd.obj --no-save -s 8x8 --strict");
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.errors.contains("odd.obj") && ended.errors.contains("--strict"), "{}", ended.errors);
+    bench.done("render part.off --no-save -s 8x8 --strict");
+}
+
+#[test]
+fn formats_that_are_not_read_get_advice() {
+    let bench = bench();
+    fs::write(bench.path("a.step"), "ISO-10303-21;").unwrap();
+    let ended = bench.run("render a.step");
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.errors.contains("STEP is not read yet: export STL, 3MF or GLB"), "{}", ended.errors);
+    assert!(bench.done("formats").text().contains(".gltf, .glb"));
+}
+
+#[test]
+fn a_named_format_is_believed() {
+    let bench = bench();
+    fs::copy(bench.path("part.off"), bench.path("part.dat")).unwrap();
+    bench.done("render part.dat --input-format off --no-save -s 8x8");
+    assert_eq!(bench.run("render part.dat --no-save").code, Some(1));
+    assert_eq!(bench.run("render part.off --input-format step").code, Some(2));
+}
+
+#[test]
+fn models_are_inspected_and_converted() {
+    let bench = bench();
+    assert!(bench.done("inspect part.off").text().contains("1 mesh"));
+    bench.done("convert part.off part.toml");
+    bench.done("render part.toml --no-save -s 8x8 --samples 1");
+}
+
+#[test]
+fn shells_and_man_are_served() {
+    let bench = bench();
+    for shell in ["bash", "zsh", "fish"] {
+        assert!(bench.done(&format!("completions {shell}")).text().contains("render"));
+    }
+    assert!(bench.done("man").text().contains(".TH brt 1"));
+}
+
+#[test]
+fn wrong_views_are_wrong_use() {
+    let bench = bench();
+    for arguments in ["--view up", "--view 1,91", "--up w", "--zoom 0", "--color mauve", "--sheet --view top"]
+    {
+        assert_eq!(bench.run(&format!("render part.off {arguments}")).code, Some(2), "{arguments}");
+    }
+}

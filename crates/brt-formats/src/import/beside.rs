@@ -1,0 +1,112 @@
+//! Files that a scene file names: found beside it, and only there unless others are allowed.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Component, Path, PathBuf};
+
+use crate::Limits;
+
+/// The folder of the scene file, and what may be read from it.
+#[derive(Clone, Debug)]
+pub(crate) struct Beside {
+    folder: Option<PathBuf>,
+    outside: bool,
+    /// Bytes that may still be read: all files together count as one.
+    bytes_left: u64,
+}
+
+impl Beside {
+    /// `folder` is `None` where the scene does not come from a file.
+    pub(crate) fn new(folder: Option<&Path>, limits: &Limits) -> Self {
+        Self { folder: folder.map(Path::to_owned), outside: limits.files_outside, bytes_left: limits.bytes }
+    }
+
+    /// Reads a file by the name that the scene has for it. The error says why not, fit to follow the name.
+    pub(crate) fn read(&mut self, name: &str) -> Result<Vec<u8>, String> {
+        let path = self.find(name)?;
+        let metadata = fs::metadata(&path).map_err(|error| words_of(&error))?;
+        if !metadata.is_file() {
+            return Err("it is not a file".to_owned());
+        }
+        if metadata.len() > self.bytes_left {
+            return Err("it is larger than the limit of bytes allows".to_owned());
+        }
+        let mut bytes = Vec::new();
+        let file = File::open(&path).map_err(|error| words_of(&error))?;
+        file.take(self.bytes_left).read_to_end(&mut bytes).map_err(|error| words_of(&error))?;
+        self.bytes_left -= bytes.len() as u64;
+        Ok(bytes)
+    }
+
+    fn find(&self, name: &str) -> Result<PathBuf, String> {
+        const OUTSIDE: &str = "it is outside of the scene's folder, which `--allow-outside` allows";
+        let Some(folder) = &self.folder else {
+            return Err("the scene has no folder".to_owned());
+        };
+        // Windows' exporters write `\`.
+        let name = name.replace('\\', "/");
+        let relative = Path::new(&name);
+        let is_plain = |c: Component| matches!(c, Component::Normal(_) | Component::CurDir);
+        if !self.outside && !relative.components().all(is_plain) {
+            return Err(OUTSIDE.to_owned());
+        }
+        let path = folder.join(relative);
+        // Links may lead outside, too.
+        let (real, home) = match (path.canonicalize(), folder.canonicalize()) {
+            (Ok(real), Ok(home)) => (real, home),
+            (Err(error), _) | (_, Err(error)) => return Err(words_of(&error)),
+        };
+        if self.outside || real.starts_with(home) { Ok(real) } else { Err(OUTSIDE.to_owned()) }
+    }
+}
+
+fn words_of(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_files_of_the_folder_are_read() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("scene");
+        fs::create_dir(&folder).unwrap();
+        fs::write(root.path().join("secret"), "s").unwrap();
+        fs::write(folder.join("a b.bin"), "x").unwrap();
+        let mut beside = Beside::new(Some(&folder), &Limits::default());
+        assert_eq!(beside.read("a b.bin").unwrap(), b"x");
+        assert_eq!(beside.read(".\\a b.bin").unwrap(), b"x");
+        for name in ["../secret", "/etc/hostname", "a/../../secret"] {
+            assert!(beside.read(name).unwrap_err().contains("--allow-outside"), "{name}");
+        }
+        assert_eq!(beside.read("none").unwrap_err(), "there is no such file");
+        assert_eq!(beside.read(".").unwrap_err(), "it is not a file");
+        let limits = Limits { files_outside: true, ..Limits::default() };
+        assert_eq!(Beside::new(Some(&folder), &limits).read("../secret").unwrap(), b"s");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_do_not_lead_outside() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("scene");
+        fs::create_dir(&folder).unwrap();
+        fs::write(root.path().join("secret"), "s").unwrap();
+        std::os::unix::fs::symlink("../secret", folder.join("link")).unwrap();
+        assert!(Beside::new(Some(&folder), &Limits::default()).read("link").is_err());
+    }
+
+    #[test]
+    fn all_files_share_one_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a"), [0; 60]).unwrap();
+        let mut beside = Beside::new(Some(folder.path()), &Limits { bytes: 100, ..Limits::default() });
+        assert!(beside.read("a").is_ok());
+        assert!(beside.read("a").unwrap_err().contains("limit"));
+    }
+}

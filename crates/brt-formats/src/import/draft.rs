@@ -1,0 +1,207 @@
+//! A model under construction, and what becomes of it: a whole scene.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use brt_geometry::vec3;
+use brt_image::{Rgb, rgb};
+use brt_scene::framing::{Framing, Up, framed_camera, studio_lights};
+use brt_scene::{Camera, Diagnostic, Material, MaterialId, Object, Projection, Scene, Shape};
+
+use super::{Crease, Geometry, Notices};
+use crate::limits::Counter;
+use crate::load::Imported;
+use crate::{Given, LimitExceeded, Limits, ParseError};
+
+/// Colour of what a file gives no colour: a light grey with a touch of blue, linear RGB.
+const PLAIN: Rgb = rgb(0.55, 0.6, 0.66);
+
+/// What has been read of a model so far.
+pub(crate) struct Draft {
+    pub(crate) scene: Scene,
+    pub(crate) given: Given,
+    pub(crate) notices: Notices,
+    counter: Counter,
+    tints: HashMap<(MaterialId, [u64; 3]), MaterialId>,
+}
+
+/// Why a file is not read to its end.
+#[derive(Debug)]
+pub(crate) enum Stop {
+    /// It is broken.
+    Fault(Diagnostic),
+    /// It asks for too much.
+    Limit(LimitExceeded),
+}
+
+impl From<Diagnostic> for Stop {
+    fn from(fault: Diagnostic) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<LimitExceeded> for Stop {
+    fn from(limit: LimitExceeded) -> Self {
+        Self::Limit(limit)
+    }
+}
+
+/// The file is broken, and where.
+pub(crate) fn fault(message: impl Into<String>, span: Option<Range<usize>>) -> Stop {
+    Stop::Fault(Diagnostic::error(message, span))
+}
+
+impl Draft {
+    pub(crate) fn new(limits: &Limits, up: Up) -> Self {
+        let stand_in = Camera {
+            eye: vec3(0.0, 0.0, 1.0),
+            look_at: vec3(0.0, 0.0, 0.0),
+            up: up.direction(),
+            projection: Projection::Perspective { fov_deg: 45.0 },
+        };
+        Self {
+            scene: Scene::new(stand_in),
+            given: Given { up, ..Given::nothing() },
+            notices: Notices::default(),
+            counter: Counter::new(limits),
+            tints: HashMap::new(),
+        }
+    }
+
+    /// The material of all that the file gives no colour.
+    pub(crate) fn plain(&mut self) -> MaterialId {
+        let scene = &mut self.scene;
+        *self.given.plain.get_or_insert_with(|| {
+            let mut material = Material::matte("default", PLAIN);
+            (material.specular, material.exponent) = (0.12, 30.0);
+            scene.add_material(material)
+        })
+    }
+
+    /// Counts triangles before memory is spent on them.
+    pub(crate) fn expect(&mut self, points: usize, triangles: usize) -> Result<(), LimitExceeded> {
+        self.counter.points(points)?;
+        self.counter.objects(triangles)
+    }
+
+    /// Adds triangles; those without normals become smooth where `crease` lets them.
+    pub(crate) fn add_geometry(
+        &mut self,
+        mut geometry: Geometry,
+        crease: Option<&Crease>,
+        material: MaterialId,
+        name: Option<&str>,
+    ) -> Result<(), LimitExceeded> {
+        self.counter.points(geometry.positions.len())?;
+        self.counter.objects(geometry.triangles.len())?;
+        if geometry.normals.iter().any(|n| n.try_normalize().is_none()) {
+            self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
+            geometry.normals.clear();
+        }
+        // Smoothing groups are one per triangle and cannot lose any.
+        if !crease.is_some_and(Crease::has_groups) {
+            let flat = geometry.drop_degenerate();
+            self.notices.note_many("triangles without an area left out", flat, part(name));
+        }
+        let parts = match crease {
+            Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease),
+            _ => vec![geometry],
+        };
+        for (color, part) in parts.into_iter().flat_map(Geometry::by_color) {
+            if part.triangles.is_empty() {
+                continue;
+            }
+            let material = color.map_or(material, |color| self.tinted(material, color));
+            let object = Object::new(part.into_shape(), material);
+            self.scene.objects.push(Object { name: name.map(str::to_owned), ..object });
+        }
+        Ok(())
+    }
+
+    /// The same material, times a colour.
+    fn tinted(&mut self, material: MaterialId, color: Rgb) -> MaterialId {
+        let Self { scene, given, tints, .. } = self;
+        let key = (material, <[f64; 3]>::from(color).map(f64::to_bits));
+        *tints.entry(key).or_insert_with(|| {
+            let mut tinted = scene.materials[material.0 as usize].clone();
+            tinted.color = if given.plain == Some(material) { color } else { tinted.color * color };
+            scene.add_material(tinted)
+        })
+    }
+
+    /// Adds a shape that is no mesh.
+    pub(crate) fn add_shape(
+        &mut self,
+        shape: Shape,
+        material: MaterialId,
+        name: Option<&str>,
+    ) -> Result<(), LimitExceeded> {
+        self.counter.objects(1)?;
+        self.scene.objects.push(Object { name: name.map(str::to_owned), ..Object::new(shape, material) });
+        Ok(())
+    }
+
+    /// What is said where a file was not read to its end.
+    pub(crate) fn stopped(self, stop: Stop) -> ParseError {
+        match stop {
+            Stop::Limit(limit) => ParseError::LimitExceeded(limit),
+            Stop::Fault(fault) => {
+                let mut report = self.notices.into_report();
+                report.push(fault);
+                ParseError::Malformed(report)
+            }
+        }
+    }
+
+    /// Completes the scene: a camera that shows everything, lights and a white background where the file has none.
+    pub(crate) fn finish(self) -> Result<Imported, ParseError> {
+        let Self { mut scene, given, notices, .. } = self;
+        if scene.objects.is_empty() {
+            let mut report = notices.into_report();
+            report.push(Diagnostic::error("there is nothing to see in this file", None));
+            return Err(ParseError::Malformed(report));
+        }
+        name_apart(&mut scene);
+        if !given.camera {
+            scene.camera = framed_camera(&scene, &Framing::new(given.up));
+        }
+        if !given.lights {
+            scene.lights = studio_lights(&scene.camera);
+        }
+        if !given.background {
+            scene.background = Rgb::WHITE;
+        }
+        let problems = scene.check();
+        if let Some(first) = problems.first() {
+            let more = if problems.len() > 1 {
+                format!(" (and {} more)", problems.len() - 1)
+            } else {
+                String::new()
+            };
+            let message = format!("{}{more}", first.message);
+            let mut report = notices.into_report();
+            report.push(Diagnostic::error(message, None).expecting(first.expected));
+            return Err(ParseError::Malformed(report));
+        }
+        Ok(Imported { scene, report: notices.into_report(), given })
+    }
+}
+
+fn part(name: Option<&str>) -> String {
+    name.map_or("a part without a name".to_owned(), |name| format!("`{name}`"))
+}
+
+/// Gives materials of the same name numbers: scenes are written by these names.
+fn name_apart(scene: &mut Scene) {
+    let mut seen = HashMap::<String, u32>::new();
+    for material in &mut scene.materials {
+        if material.name.is_empty() {
+            "material".clone_into(&mut material.name);
+        }
+        let count = seen.entry(material.name.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            material.name = format!("{} ({count})", material.name);
+        }
+    }
+}

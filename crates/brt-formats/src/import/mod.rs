@@ -1,0 +1,21 @@
+//! What all importers of models share: the model under construction, smoothing, files beside the file, notices.
+
+mod affine;
+mod beside;
+mod color;
+mod crease;
+mod draft;
+mod geometry;
+mod notices;
+mod polygon;
+mod weld;
+
+pub(crate) use affine::Affine;
+pub(crate) use beside::Beside;
+pub(crate) use color::srgb;
+pub(crate) use crease::{CREASE_DEG, Crease};
+pub(crate) use draft::{Draft, Stop, fault};
+pub(crate) use geometry::Geometry;
+pub(crate) use notices::Notices;
+pub(crate) use polygon::fan_or_cut;
+pub(crate) use weld::Weld;

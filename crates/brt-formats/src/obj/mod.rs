@@ -1,0 +1,24 @@
+//! Wavefront OBJ with its materials.
+//!
+//! Not by a library: those that are kept (`tobj`) leave out smoothing groups and know no lines of errors. Faces of one
+//! object, group and material are one mesh. Where the file gives no normals, its smoothing groups decide what is
+//! smooth, and where it has none of those either, the angle. +y is up.
+
+mod face;
+mod material;
+mod reader;
+
+use brt_scene::framing::Up;
+
+use crate::import::{Beside, Draft};
+use crate::load::Imported;
+use crate::{Limits, ParseError};
+
+/// Reads a scene.
+pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(limits, Up::PlusY);
+    match reader::read(bytes, beside, &mut draft) {
+        Ok(()) => draft.finish(),
+        Err(stop) => Err(draft.stopped(stop)),
+    }
+}

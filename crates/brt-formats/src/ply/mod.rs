@@ -1,0 +1,123 @@
+//! PLY (Turk 1994): points with attributes, and faces of any number of points.
+//!
+//! Read by the `ply-rs-bw` crate. Colours are sRGB: codes from 0 to 255, or numbers from 0 to 1. +z is up.
+
+mod element;
+
+use std::io::Cursor;
+
+use brt_geometry::{Vec3, vec3};
+use brt_scene::framing::Up;
+use ply_rs_bw::parser::{ParseError as PlyError, Parser, Reader};
+use ply_rs_bw::ply::{ElementDef, Header};
+
+use crate::import::{CREASE_DEG, Crease, Draft, Geometry, Stop, fan_or_cut, fault};
+use crate::load::Imported;
+use crate::{Limits, ParseError};
+use element::{Face, Ignored, Vertex};
+
+/// Reads a scene.
+pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(limits, Up::PlusZ);
+    match read_file(bytes, &mut draft) {
+        Ok(()) => draft.finish(),
+        Err(stop) => Err(draft.stopped(stop)),
+    }
+}
+
+fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
+    let mut reader = Reader::new(Cursor::new(bytes));
+    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(|error| broken(&error))?;
+    check_counts(&header, bytes.len(), draft)?;
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for (name, element) in &header.elements {
+        match name.as_str() {
+            "vertex" => {
+                vertices = Parser::<Vertex>::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(|error| broken(&error))?;
+            }
+            "face" => {
+                faces = Parser::<Face>::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(|error| broken(&error))?;
+            }
+            _ => {
+                draft.notices.note_many(
+                    &format!("elements `{name}` ignored"),
+                    element.count as u64,
+                    name.clone(),
+                );
+                Parser::<Ignored>::new()
+                    .read_payload_for_element(&mut reader, element, &header)
+                    .map_err(|error| broken(&error))?;
+            }
+        }
+    }
+    if faces.is_empty() && !vertices.is_empty() {
+        return Err(fault("points without faces are not shown", None));
+    }
+    let geometry = geometry_of(&vertices, &faces, &header, draft)?;
+    let material = draft.plain();
+    let crease = geometry.normals.is_empty().then(|| Crease::new(CREASE_DEG));
+    Ok(draft.add_geometry(geometry, crease.as_ref(), material, None)?)
+}
+
+/// An element takes at least a byte, unless it has no properties, which would be read for ever.
+fn check_counts(header: &Header, bytes: usize, draft: &mut Draft) -> Result<(), Stop> {
+    for (name, ElementDef { count, .. }) in &header.elements {
+        if *count > bytes {
+            return Err(fault(format!("{count} elements `{name}` in a file of {bytes} bytes"), None));
+        }
+    }
+    let count = |name: &str| header.elements.get(name).map_or(0, |element| element.count);
+    Ok(draft.expect(count("vertex"), count("face"))?)
+}
+
+fn geometry_of(
+    vertices: &[Vertex],
+    faces: &[Face],
+    header: &Header,
+    draft: &mut Draft,
+) -> Result<Geometry, Stop> {
+    let mut geometry = Geometry::default();
+    let has = |name: &str| header.elements.get("vertex").is_some_and(|v| v.properties.contains_key(name));
+    for name in ["x", "y", "z"] {
+        if !has(name) {
+            return Err(fault(format!("points have no `{name}`"), None));
+        }
+    }
+    geometry.positions = vertices.iter().map(|v| Vec3::from(v.position)).collect();
+    if has("nx") && has("ny") && has("nz") {
+        geometry.normals = vertices.iter().map(|v| vec3(v.normal[0], v.normal[1], v.normal[2])).collect();
+    }
+    if has("red") && has("green") && has("blue") {
+        geometry.colors = vertices.iter().map(Vertex::color).collect();
+    }
+    if has("s") || has("u") || has("texture_u") {
+        draft.notices.say("texture coordinates ignored: PLY names no picture that is read");
+    }
+    let mut points = Vec::new();
+    for (i, face) in faces.iter().enumerate() {
+        points.clear();
+        for &index in &face.indices {
+            match usize::try_from(index).ok().and_then(|index| geometry.positions.get(index)) {
+                Some(&p) => points.push(p),
+                None => {
+                    let message = format!("face {i} names point {index}, but there are {}", vertices.len());
+                    return Err(fault(message, None));
+                }
+            }
+        }
+        let cut = fan_or_cut(&points);
+        draft.expect(0, cut.len())?;
+        geometry.triangles.extend(cut.iter().map(|t| t.map(|k| face.indices[k as usize] as u32)));
+    }
+    Ok(geometry)
+}
+
+fn broken(error: &PlyError) -> Stop {
+    // The crate shows whole lines of the file; the first line of its message is enough.
+    let text = error.to_string();
+    fault(text.lines().next().unwrap_or_default().chars().take(200).collect::<String>(), None)
+}

@@ -1,0 +1,318 @@
+//! Importers of models: known geometry, orientation, colours; files beside; what is said about the rest.
+
+mod common;
+
+use std::path::Path;
+
+use brt_formats::{Format, Imported, Limits, ParseError, import, load};
+use brt_geometry::{Vec3, vec3};
+use brt_scene::framing::Up;
+use brt_scene::{Projection, Scene, Shape};
+
+fn read(format: Format, bytes: &[u8]) -> Imported {
+    import(format, bytes, None, &Limits::default()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn refused(format: Format, bytes: &[u8]) -> String {
+    match import(format, bytes, None, &Limits::default()) {
+        Err(error @ (ParseError::Malformed(_) | ParseError::LimitExceeded(_))) => error.to_string(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn triangles(scene: &Scene) -> Vec<[Vec3; 3]> {
+    let of_shape = |shape: &Shape| match shape {
+        Shape::Mesh(mesh) => mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect(),
+        _ => Vec::new(),
+    };
+    scene.objects.iter().flat_map(|object| of_shape(&object.shape)).collect()
+}
+
+fn normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    (b - a).cross(c - a)
+}
+
+/// The triangle (0,0,0), (2,0,0), (0,1,0), whose front is +z.
+fn assert_is_triangle(scene: &Scene) {
+    let all = triangles(scene);
+    assert_eq!(all.len(), 1);
+    assert_eq!(normal(all[0]), vec3(0.0, 0.0, 2.0));
+    assert_eq!(scene.bounds(), Some([vec3(0.0, 0.0, 0.0), vec3(2.0, 1.0, 0.0)]));
+}
+
+const STL: &str = "solid a part
+facet normal 0 0 0
+outer loop
+vertex 0 0 0
+vertex 2 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid a part
+";
+
+fn binary_stl(head: &[u8]) -> Vec<u8> {
+    let mut bytes = head.to_vec();
+    bytes.resize(80, b' ');
+    bytes.extend(1_u32.to_le_bytes());
+    for x in [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0, 0.0_f32] {
+        bytes.extend(x.to_le_bytes());
+    }
+    bytes.extend([0, 0]);
+    bytes
+}
+
+#[test]
+fn stl_as_text_and_binary() {
+    for bytes in [STL.as_bytes().to_vec(), binary_stl(b"x"), binary_stl(b"solid with a wrong word")] {
+        assert_eq!(Format::from_content(&bytes), Some(Format::Stl));
+        let Imported { scene, report, given } = read(Format::Stl, &bytes);
+        assert_is_triangle(&scene);
+        assert_eq!(report.diagnostics, []);
+        assert_eq!((given.camera, given.lights, given.up), (false, false, Up::PlusZ));
+        assert!(given.plain.is_some());
+        assert_eq!((scene.lights.len(), scene.background), (3, brt_image::Rgb::WHITE));
+    }
+}
+
+#[test]
+fn broken_stl_is_refused_with_a_reason() {
+    assert!(refused(Format::Stl, &binary_stl(b"x")[..120]).contains("ends after 0 of 1 triangles"));
+    assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 x").contains("found `x`"));
+    assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop").contains("a facet of 1 points"));
+    assert!(refused(Format::Stl, b"solid empty\nendsolid empty\n").contains("nothing to see"));
+}
+
+#[test]
+fn off_with_colours_per_face() {
+    let Imported { scene, .. } = read(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
+    assert_is_triangle(&scene);
+    assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
+    assert!(refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n").contains("no point 3"));
+    assert!(refused(Format::Off, b"OFF\n4000000000 4000000000 0\n").contains("more than"));
+}
+
+#[test]
+fn ply_with_colours_per_point() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n\
+                property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n2 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n";
+    let Imported { scene, .. } = read(Format::Ply, text.as_bytes());
+    assert_is_triangle(&scene);
+    let shown = scene.objects[0].material.0 as usize;
+    assert_eq!(<[f64; 3]>::from(scene.materials[shown].color), [1.0, 0.0, 0.0]);
+    assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("names point 7"));
+    assert!(
+        refused(Format::Ply, text.replace("vertex 3", "vertex 99999999").as_bytes()).contains("in a file of")
+    );
+}
+
+#[test]
+fn obj_with_materials_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let obj = "mtllib my parts.mtl\no part\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\ns 1\nf -3//  -2 -1\n";
+    std::fs::write(folder.path().join("my parts.mtl"), "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 30\nd 0.25\n")
+        .unwrap();
+    let path = folder.path().join("a.obj");
+    std::fs::write(&path, obj).unwrap();
+    let loaded = load(&path, &Limits::default()).unwrap();
+    assert_is_triangle(&loaded.scene);
+    let material = &loaded.scene.materials[0];
+    assert_eq!((material.name.as_str(), material.specular, material.exponent), ("red", 0.5, 30.0));
+    assert_eq!((material.transmission, material.index_of_refraction), (0.75, 1.0));
+    assert_eq!(loaded.given.up, Up::PlusY);
+    assert!(loaded.report.diagnostics.is_empty(), "{:?}", loaded.report);
+}
+
+#[test]
+fn obj_says_what_it_misses_and_where() {
+    let text = "mtllib no.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl x\nf 1 2 3\ncurv 1 2\ncurv 1 2\n";
+    let Imported { scene, report, .. } = read(Format::Obj, text.as_bytes());
+    assert_is_triangle(&scene);
+    let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(
+        messages,
+        [
+            "materials `no.mtl` are not read: the scene has no folder",
+            "material `x` is not known: the default is used",
+            "2 × `curv` ignored",
+        ]
+    );
+    assert!(refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n").contains("there is no point 2, 1 come before"));
+    assert!(refused(Format::Obj, b"v 0 0 0\nf 0 1 1\n").contains("there is no point 0"));
+}
+
+/// A triangle below a node that turns it by 90° around x and shifts it, then is mirrored.
+fn gltf(extra: &str) -> String {
+    let mut buffer = Vec::new();
+    for x in [0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0, 0.0_f32] {
+        buffer.extend(x.to_le_bytes());
+    }
+    let data = base64::Engine::encode(&base64::engine::general_purpose::STANDARD, &buffer);
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+        "nodes": [{{"children": [1], "translation": [0, 0, 5]}}, {{"mesh": 0, "scale": [-1, 1, 1]}}],
+        "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0}}]}}],
+        "materials": [{{"name": "m", "pbrMetallicRoughness": {{"baseColorFactor": [0.5, 0.25, 0, 1], "metallicFactor": 0}}
+        {extra} }}],
+        "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+        "min": [0, 0, 0], "max": [2, 1, 0]}}],
+        "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+        "buffers": [{{"byteLength": 36, "uri": "data:application/octet-stream;base64,{data}"}}]}}"#
+    )
+}
+
+#[test]
+fn gltf_nodes_put_meshes_in_their_places() {
+    let Imported { scene, report, given } = read(Format::Gltf, gltf("").as_bytes());
+    let all = triangles(&scene);
+    // Mirrored, the front stays the front.
+    assert_eq!(normal(all[0]), vec3(0.0, 0.0, 2.0));
+    assert_eq!(scene.bounds(), Some([vec3(-2.0, 0.0, 5.0), vec3(0.0, 1.0, 5.0)]));
+    assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [0.5, 0.25, 0.0]);
+    assert_eq!(given.up, Up::PlusY);
+    assert!(report.diagnostics.is_empty(), "{report:?}");
+}
+
+#[test]
+fn gltf_extensions_are_read_or_reported() {
+    let glass = r#", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5},
+        "KHR_materials_ior": {"ior": 1.25}, "KHR_materials_clearcoat": {"clearcoatFactor": 1}}"#;
+    let Imported { scene, report, .. } = read(Format::Gltf, gltf(glass).as_bytes());
+    assert_eq!((scene.materials[0].transmission, scene.materials[0].index_of_refraction), (0.5, 1.25));
+    assert_eq!(report.diagnostics[0].message, "KHR_materials_clearcoat ignored, at material 0");
+    let Imported { scene, .. } =
+        read(Format::Gltf, gltf(r#", "extensions": {"KHR_materials_unlit": {}}"#).as_bytes());
+    assert_eq!((scene.materials[0].ambient, scene.materials[0].diffuse), (1.0, 0.0));
+}
+
+#[test]
+fn gltf_that_lies_is_refused() {
+    for (from, to, why) in [
+        (r#""count": 3"#, r#""count": 300000"#, "reaches beyond"),
+        (r#""byteLength": 36}]"#, r#""byteLength": 36, "byteOffset": 9}]"#, "reaches beyond"),
+        (r#""mesh": 0"#, r#""mesh": 7"#, "Index out of bounds"),
+        (r#""children": [1]"#, r#""children": [0]"#, "contains itself"),
+        (r#""byteLength": 36, "uri""#, r#""byteLength": 99, "uri""#, "instead of 99"),
+    ] {
+        let text = gltf("");
+        assert!(text.contains(from), "{from}");
+        let error = refused(Format::Gltf, text.replace(from, to).as_bytes());
+        assert!(error.to_lowercase().contains(&why.to_lowercase()), "{error}");
+    }
+}
+
+/// A zip file without compression.
+fn zipped(name: &str, content: &[u8]) -> Vec<u8> {
+    use std::io::Write as _;
+    let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+    zip.write_all(content).unwrap();
+    zip.finish().unwrap().into_inner()
+}
+
+const MODEL: &str = r##"<?xml version="1.0"?><model unit="millimeter"><resources>
+<basematerials id="5"><base name="red" displaycolor="#FF0000FF"/></basematerials>
+<object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="2" y="0" z="0"/><vertex x="0" y="1" z="0"/>
+</vertices><triangles><triangle v1="0" v2="1" v3="2" pid="5" p1="0"/></triangles></mesh></object>
+<object id="2"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 7"/></components></object>
+</resources><build><item objectid="2" transform="0 1 0 -1 0 0 0 0 1 0 0 0"/></build></model>"##;
+
+#[test]
+fn threemf_components_and_colours() {
+    let Imported { scene, .. } = read(Format::ThreeMf, &zipped("3D/model.model", MODEL.as_bytes()));
+    // Turned by 90° around z: x becomes y, y becomes −x; and lifted by 7.
+    assert_eq!(scene.bounds(), Some([vec3(-1.0, 0.0, 7.0), vec3(0.0, 2.0, 7.0)]));
+    assert_eq!(normal(triangles(&scene)[0]), vec3(0.0, 0.0, 2.0));
+    assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn threemf_that_lies_is_refused() {
+    for (from, to, why) in [
+        (r#"v3="2""#, r#"v3="9""#, "names point 9"),
+        (r#"component objectid="1""#, r#"component objectid="2""#, "contain themselves"),
+        (r#"item objectid="2""#, r#"item objectid="3""#, "no object 3"),
+        (r#"p1="0""#, r#"p1="4""#, "no member 4"),
+        (r##"displaycolor="#FF0000FF""##, "", "has no colour"),
+        ("</build>", "</bild>", "XML is broken"),
+    ] {
+        assert!(MODEL.contains(from), "{from}");
+        let error = refused(Format::ThreeMf, &zipped("a.model", MODEL.replace(from, to).as_bytes()));
+        assert!(error.contains(why), "{error}");
+    }
+    assert!(refused(Format::ThreeMf, &zipped("a.txt", b"")).contains("no model"));
+    assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("zip"));
+    let limits = Limits { bytes: 2000, ..Limits::default() };
+    let bomb = zipped("a.model", &[b' '; 1_000_000]);
+    assert!(bomb.len() < 2000);
+    let stopped = import(Format::ThreeMf, &bomb, None, &limits);
+    assert!(matches!(stopped, Err(ParseError::LimitExceeded(_))));
+}
+
+const VRML: &str = "#VRML V2.0 utf8
+Transform { translation 0 0 3 scale -1 1 1 children [
+  DEF S Shape { appearance Appearance { material DEF M Material { diffuseColor 1 0 0 transparency 0.25 } }
+    geometry IndexedFaceSet { coord Coordinate { point [0 0 0, 2 0 0, 0 1 0] } coordIndex [0, 1, 2, -1] } } ] }
+";
+
+#[test]
+fn vrml_transforms_and_materials() {
+    let Imported { scene, report, .. } = read(Format::Vrml, VRML.as_bytes());
+    assert_eq!(scene.bounds(), Some([vec3(-2.0, 0.0, 3.0), vec3(0.0, 1.0, 3.0)]));
+    assert_eq!(normal(triangles(&scene)[0]), vec3(0.0, 0.0, 2.0));
+    assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
+    assert_eq!(scene.materials[0].transmission, 0.25);
+    assert!(report.diagnostics.is_empty(), "{report:?}");
+}
+
+#[test]
+fn vrml_shapes_uses_and_viewpoints() {
+    let text = "#VRML V2.0 utf8
+        Viewpoint { position 0 0 9 fieldOfView 0.5 }
+        DEF B Shape { geometry Sphere { radius 2 } }
+        Transform { translation 5 0 0 children USE B }
+        Shape { geometry Cylinder { height 4 top FALSE } }
+        Shape { geometry Cone { } } Shape { geometry Box { size 1 2 3 } }
+        PROTO Odd [ field SFInt32 a 1 ] { Group { } } PointLight { } PointLight { }";
+    let Imported { scene, report, given } = read(Format::Vrml, text.as_bytes());
+    let kinds: Vec<&str> = scene.objects.iter().map(|object| object.shape.kind()).collect();
+    assert_eq!(kinds, ["sphere", "sphere", "cylinder", "cone", "mesh"]);
+    assert_eq!(scene.objects[1].shape, Shape::Sphere { center: vec3(5.0, 0.0, 0.0), radius: 2.0 });
+    assert!(given.camera);
+    assert_eq!(scene.camera.eye, vec3(0.0, 0.0, 9.0));
+    assert!(
+        matches!(scene.camera.projection, Projection::Perspective { fov_deg } if (fov_deg - 28.648).abs() < 0.001)
+    );
+    let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(messages, ["PROTO ignored", "2 × PointLight ignored"]);
+}
+
+#[test]
+fn vrml_that_lies_is_refused() {
+    assert!(refused(Format::Vrml, VRML.replace("0, 1, 2", "0, 1, 5").as_bytes()).contains("names point 5"));
+    assert!(refused(Format::Vrml, b"#VRML V1.0 ascii\nSeparator { }").contains("VRML 1.0"));
+    let deep = format!("#VRML V2.0 utf8\n{}", "Group { children ".repeat(100_000));
+    assert!(refused(Format::Vrml, deep.as_bytes()).contains("nest deeper"));
+    let mut uses = String::from("#VRML V2.0 utf8\nDEF A0 Group { }\n");
+    for i in 0..60 {
+        uses += &format!("DEF A{} Group {{ children [ USE A{i} USE A{i} ] }}\n", i + 1);
+    }
+    assert!(refused(Format::Vrml, uses.as_bytes()).contains("too often"));
+}
+
+#[test]
+fn content_tells_formats_of_the_wrong_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("really-a-ply.stl");
+    std::fs::write(&path, VRML).unwrap();
+    assert!(load(&path, &Limits::default()).is_ok());
+    for (name, word) in
+        [("a.step", "STEP is not read yet: export STL, 3MF or GLB"), ("a.blend", "export GLB")]
+    {
+        let path = folder.path().join(name);
+        std::fs::write(&path, "x").unwrap();
+        let error = load(Path::new(&path), &Limits::default()).unwrap_err().to_string();
+        assert!(error.contains(word), "{error}");
+    }
+}

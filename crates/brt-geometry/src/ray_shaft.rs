@@ -1,0 +1,131 @@
+//! The shaft of rays that are given one by one, eight in lanes.
+
+use crate::shaft::Shaft;
+use crate::{COORDINATE_ROUNDING, LANES, Lanes, Real, Vec3, vec3};
+
+/// Eight rays: where they start and where they go.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneRays {
+    /// Origins.
+    pub origin: Vec3<Lanes>,
+    /// Directions of any length.
+    pub direction: Vec3<Lanes>,
+}
+
+/// No more eights of rays than this.
+const MOST: usize = 8;
+
+impl Shaft {
+    /// The shaft of up to 64 rays, up to distance `end` (in units of their directions), which may be infinite.
+    ///
+    /// `None` where the rays have no direction in common.
+    #[inline(always)]
+    pub fn around_rays(rays: &[LaneRays], end: f64) -> Option<Self> {
+        let axis = axis_of(rays)?;
+        let sides = sides_of(axis, rays);
+        let along = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| ray.direction.dot(axis.lift()),
+        );
+        if along.least.is_nan() || along.least <= 0.0 {
+            return None;
+        }
+        let slopes = [slopes(rays, axis, sides[0]), slopes(rays, axis, sides[1])];
+        let size = 1.0 + slopes[0].size() + slopes[1].size();
+        let margin = COORDINATE_ROUNDING * size;
+        let mut shaft = Self::empty();
+        for (side, slope) in sides.into_iter().zip(slopes) {
+            shaft.bound(side - axis * (slope.greatest + margin), rays, 0.0)?;
+            shaft.bound(axis * (slope.least - margin) - side, rays, 0.0)?;
+        }
+        shaft.bound(-axis, rays, 0.0)?;
+        if end.is_finite() {
+            shaft.bound(axis, rays, end * along.greatest)?;
+        }
+        Some(shaft)
+    }
+
+    /// Adds the half-space with this normal that all origins are in, or are by no more than `beyond` out of.
+    #[inline(always)]
+    fn bound(&mut self, normal: Vec3, rays: &[LaneRays], beyond: f64) -> Option<()> {
+        let offset = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| ray.origin.dot(normal.lift()),
+        );
+        let reach = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| {
+                let (n, o) = (normal, ray.origin);
+                (o.x * Lanes::constant(n.x)).abs()
+                    + (o.y * Lanes::constant(n.y)).abs()
+                    + (o.z * Lanes::constant(n.z)).abs()
+            },
+        );
+        self.push_face(normal, offset.greatest + beyond, reach.greatest + beyond)
+    }
+}
+
+/// The least and the greatest of numbers.
+#[derive(Clone, Copy)]
+struct Range {
+    least: f64,
+    greatest: f64,
+}
+
+impl Range {
+    /// Of one number for each ray. Intermediate results stand in memory, by which the compiler sees what goes side by
+    /// side.
+    #[inline(always)]
+    fn of(rays: &[LaneRays], number: impl Fn(&LaneRays) -> Lanes) -> Self {
+        let (mut least, mut greatest) =
+            ([Lanes::constant(f64::INFINITY); MOST + 1], [Lanes::constant(f64::NEG_INFINITY); MOST + 1]);
+        for (i, ray) in rays.iter().enumerate().take(MOST) {
+            let x = number(ray);
+            least[i + 1] = x.min(least[i]);
+            greatest[i + 1] = x.max(greatest[i]);
+        }
+        let last = rays.len().min(MOST);
+        Self {
+            least: least[last].0.into_iter().fold(f64::INFINITY, f64::min),
+            greatest: greatest[last].0.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    fn size(self) -> f64 {
+        self.least.abs().max(self.greatest.abs())
+    }
+}
+
+/// How steeply rays run to a side of the axis.
+#[inline(always)]
+fn slopes(rays: &[LaneRays], axis: Vec3, side: Vec3) -> Range {
+    Range::of(
+        rays,
+        #[inline(always)]
+        |ray| ray.direction.dot(side.lift()) / ray.direction.dot(axis.lift()),
+    )
+}
+
+/// Between the first ray and the last.
+#[inline(always)]
+fn axis_of(rays: &[LaneRays]) -> Option<Vec3> {
+    let last = direction(rays, rays.len() * LANES - 1).try_normalize()?;
+    (direction(rays, 0).try_normalize()? + last).try_normalize()
+}
+
+fn direction(rays: &[LaneRays], i: usize) -> Vec3 {
+    let d = &rays[i / LANES].direction;
+    vec3(d.x.0[i % LANES], d.y.0[i % LANES], d.z.0[i % LANES])
+}
+
+/// Two directions across the axis; the first along which rays follow each other.
+fn sides_of(axis: Vec3, rays: &[LaneRays]) -> [Vec3; 2] {
+    let along_row = direction(rays, LANES - 1) - direction(rays, 0);
+    let across = axis.cross(along_row);
+    let is_clear = across.length_squared() > 1e-12 * direction(rays, 0).length_squared();
+    let first = across.try_normalize().filter(|_| is_clear).unwrap_or_else(|| axis.tangents().0);
+    [first, axis.cross(first)]
+}

@@ -1,0 +1,72 @@
+//! Surfaces that are partly there: what lies straight behind them, and how much light they let through.
+//!
+//! A ray goes straight on behind such a surface without counting as a bounce. So does light on its way: each surface that
+//! it crosses takes its share, near ones first, so that the product does not depend on how they are found. A ball is
+//! crossed twice.
+
+use brt_geometry::Ray;
+use brt_image::Rgb;
+
+use super::guide::Unguided;
+use super::interaction::Interaction;
+use super::tracer::Tracer;
+use crate::products::{NOTHING, PreparedLight, Step};
+use crate::settings::HistoryKind;
+
+/// No way to a light is followed through more surfaces; behind them it is dark.
+pub(super) const MOST_CROSSED: u32 = 1 << 12;
+
+impl Tracer<'_> {
+    /// The colour of a surface and of what is seen through it.
+    pub(super) fn with_what_is_behind(
+        &mut self,
+        front: Rgb,
+        ray: &Ray,
+        here: &Interaction,
+        bounces_left: u32,
+        backdrop: Rgb,
+    ) -> Rgb {
+        let mut color = front * here.material.opacity;
+        let mut share = 1.0 - here.material.opacity;
+        let (mut point, mut from) = (here.point, here.primitive);
+        while share > 0.0 && self.may_follow() {
+            self.counters.rays.refracted += 1;
+            let ray = Ray::new(point, ray.direction);
+            let Some(met) = self.search.closest(&ray, from) else {
+                self.history.push(Step::Background);
+                return color + backdrop * share;
+            };
+            let here = Interaction::at(self.scene, &ray, met.primitive, met.t);
+            let layer = self.surface_color(&ray, &here, bounces_left, Unguided);
+            color = color + layer * (share * here.material.opacity);
+            share = share * (1.0 - here.material.opacity);
+            (point, from) = (here.point, met.primitive);
+        }
+        color
+    }
+
+    /// The share of a light that reaches a surface which faces it; of one that is hidden, by what.
+    pub(super) fn share_of_light(&mut self, light: &PreparedLight, here: &Interaction) -> Result<f64, u32> {
+        let mut share = 1.0;
+        let (mut point, mut from) = (here.point, here.primitive);
+        for _ in 0..MOST_CROSSED {
+            let (towards, t_max) = light.way_from(point);
+            let ray = Ray::new(point, towards);
+            self.counters.rays.shadow += 1;
+            let Some(met) = self.search.shadower(&ray, from, t_max) else { return Ok(share) };
+            let info = &self.scene.infos[met.primitive as usize];
+            share = share * (1.0 - self.scene.materials[info.material as usize].opacity);
+            if share == 0.0 {
+                return Err(info.surface);
+            }
+            self.history.push(Step::Crossed(info.surface));
+            (point, from) = (ray.at(met.t), met.primitive);
+        }
+        Err(NOTHING)
+    }
+
+    /// Is it asked what hides a light?
+    pub(super) fn asks_which(&self) -> bool {
+        self.history_kind == HistoryKind::Shadower
+    }
+}
