@@ -5,7 +5,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use brt_formats::{Format, Limits, parse, write_toml};
-use brt_geometry::{Vec3, vec3};
+use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_scene::{
     Axis, Camera, Checker, Highlight, Light, Material, MaterialId, Mesh, Object, Projection, Scene, Shape,
@@ -215,6 +215,16 @@ fn shape() -> impl Strategy<Value = Shape> {
     ]
 }
 
+/// Every other mesh once more, mirrored and moved.
+fn with_twins(mut objects: Vec<Object>) -> Vec<Object> {
+    let rows = [[-1.0, 0.0, 0.25, 1e-9], [0.0, 1.0, 0.0, 0.1], [0.0, 0.0, 1.0 / 3.0, -7e9]];
+    let is_mesh = |object: &&Object| matches!(object.shape, Shape::Mesh(_));
+    let twins = objects.iter().filter(is_mesh).step_by(2);
+    let twins = twins.map(|object| Object { transform: Affine::from_rows(rows), ..object.clone() });
+    objects.extend(twins.collect::<Vec<_>>());
+    objects
+}
+
 fn scene() -> impl Strategy<Value = Scene> {
     let side = 1_u32..=1 << 17;
     let size = prop_oneof![[side.clone(), side], Just([u32::MAX, 1])];
@@ -225,10 +235,11 @@ fn scene() -> impl Strategy<Value = Scene> {
     (camera(), size, color(), 0_u32..=1000, vec(light(), 0..4), materials, objects).prop_map(
         |(camera, size, background, max_depth, lights, materials, objects)| {
             let id = |i: prop::sample::Index| MaterialId(i.index(materials.len()) as u32);
-            let objects = objects
+            let objects: Vec<_> = objects
                 .into_iter()
                 .map(|(name, shape, i)| Object { name, ..Object::new(shape, id(i)) })
                 .collect();
+            let objects = with_twins(objects);
             Scene { camera, size, background, max_depth, lights, materials, objects }
         },
     )

@@ -22,7 +22,7 @@ fn sphere(fields: &str) -> Vec<String> {
 fn everything_is_read() {
     let (scene, report) = good(Format::Toml, EVERYTHING);
     assert!(report.diagnostics.is_empty());
-    assert_eq!(scene.objects.len(), 7);
+    assert_eq!(scene.objects.len(), 9);
     assert_eq!(scene.materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["zinc", "a b"]);
     assert_eq!((scene.size, scene.max_depth), (Some([64, 48]), 7));
     assert_eq!(scene.objects[0].name.as_deref(), Some("bäll \"1\""));
@@ -124,7 +124,9 @@ fn the_check_of_the_scene_has_places() {
 fn unknown_words_get_a_guess() {
     assert_eq!(
         after_camera("[[light]]\ntype = \"pint\"\n"),
-        ["6: there is no \"pint\", did you mean `point`?, expected one of \"point\", \"directional\""]
+        [
+            "6: there is no \"pint\", did you mean `point`?, expected one of \"point\", \"spot\", \"directional\""
+        ]
     );
     let object = "[[object]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"gren\"\n";
     assert_eq!(
@@ -163,6 +165,41 @@ fn several_errors_are_said_but_not_thousands() {
     let text = "[[object]]\ntype = \"sphere\"\n".repeat(1000);
     let found = after_camera(&text);
     assert!((20..=25).contains(&found.len()), "{}", found.len());
+}
+
+#[test]
+fn faults_of_surfaces_lights_and_meshes_are_said() {
+    let found = after_camera("[materials.m]\ncolor = [1, 1, 1]\nopacity = 1.5\nemission = [1, 1]\n");
+    assert_eq!(found, ["8: found a list of 2, expected a colour of three numbers, [r, g, b]"]);
+    let found = after_camera("[materials.m]\ncolor = [1, 1, 1]\nopacity = 1.5\n");
+    assert_eq!(found, ["7: `opacity` is 1.5, expected a number from 0 to 1"]);
+    let spot =
+        "[[light]]\ntype = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, -1, 0]\ncolor = [1, 1, 1]\n";
+    assert_eq!(
+        after_camera(&format!("{spot}inner_deg = 30\nouter_deg = 20\n")),
+        [
+            "10: the strength falls from 30° on, the cone ends at 20°, expected an angle from 0, below `outer_deg`"
+        ]
+    );
+    assert_eq!(after_camera(spot), ["5: the spot light has no `outer_deg`, expected `outer_deg = ...`"]);
+    let mesh = "[materials.m]\ncolor = [1, 1, 1]\n[meshes.leaf]\npositions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n\
+                triangles = [[0, 1, 2]]\n[[object]]\ntype = \"mesh\"\nmaterial = \"m\"\n";
+    assert_eq!(
+        after_camera(&format!("{mesh}mesh = \"leave\"\n")),
+        ["13: there is no mesh `leave`, did you mean `leaf`?, expected the name of a table [meshes.NAME]"]
+    );
+    assert_eq!(
+        after_camera(&format!(
+            "{mesh}mesh = \"leaf\"\ntransform = [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 0]]\n"
+        )),
+        ["14: the transform leaves nothing of a volume, expected three rows that differ"]
+    );
+    assert_eq!(
+        after_camera(&format!("{mesh}mesh = \"leaf\"\npositions = []\n")),
+        [
+            "14: the mesh has a field of its own beside `mesh`, expected `mesh` or the fields of a mesh, not both"
+        ]
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What stands in a scene.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use brt_geometry::{Affine, Vec3};
@@ -113,6 +114,22 @@ pub struct Mesh {
     pub colors: Vec<Rgb>,
     /// Three indices a triangle, counter-clockwise seen from its front.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// The mesh where a map puts it. One that mirrors turns triangles around, so that fronts stay fronts.
+    pub fn placed(&self, map: &Affine) -> Cow<'_, Self> {
+        if *map == Affine::IDENTITY {
+            return Cow::Borrowed(self);
+        }
+        let mut placed = self.clone();
+        placed.positions.iter_mut().for_each(|p| *p = map.point(*p));
+        placed.normals.iter_mut().for_each(|n| *n = map.normal(*n));
+        if map.mirrors() {
+            placed.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        }
+        Cow::Owned(placed)
+    }
 }
 
 impl From<Mesh> for Shape {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use brt_geometry::Vec3;
+use brt_geometry::{Affine, Vec3};
 use brt_scene::{Light, Projection, Scene, Shape};
 
 /// The scene seen through a magnifying glass: every length times `factor`.
@@ -37,6 +37,12 @@ fn moved(scene: &Scene, point: impl Fn(Vec3) -> Vec3, length: &dyn Fn(f64) -> f6
         checker.size = length(checker.size);
     }
     for object in &mut scene.objects {
+        if object.transform != Affine::IDENTITY {
+            let map = &mut object.transform;
+            map.axes = map.axes.map(|axis| axis * length(1.0));
+            map.offset = point(map.offset);
+            continue;
+        }
         move_shape(&mut object.shape, &point, length);
     }
     scene

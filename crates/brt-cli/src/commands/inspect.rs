@@ -92,7 +92,7 @@ impl Inspection {
             primitives: prepared.primitive_count(),
             surfaces: prepared.surfaces().len(),
             bounds: scene.bounds().map(|corners| corners.map(triple)),
-            unbounded: scene.objects.iter().filter(|object| object.shape.bounds().is_none()).count(),
+            unbounded: scene.objects.iter().filter(|object| object.bounds().is_none()).count(),
             lights: scene.lights.iter().map(LightJson::of).collect(),
             materials: scene.materials.iter().map(|material| material.name.clone()).collect(),
             camera: CameraJson::of(&scene.camera),

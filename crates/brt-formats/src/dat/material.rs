@@ -12,6 +12,9 @@ impl Writer {
         if m.transmission > 0.0 && m.index_of_refraction != 1.0 {
             self.losses.note_for("Tachyon refracts nothing; rays go straight through", name());
         }
+        if m.emission != Rgb::BLACK {
+            self.losses.note_for("Tachyon knows no emission; it is left out", name());
+        }
         let mut body = m.color;
         if let Some(checker) = &m.checker {
             self.losses
@@ -28,7 +31,7 @@ impl Writer {
             number(m.ambient),
             number(m.diffuse),
             number(m.reflection),
-            number((1.0 - m.transmission).max(0.0)),
+            number(m.opacity * (1.0 - m.transmission).max(0.0)),
             color(body),
         ));
     }

@@ -46,7 +46,12 @@ impl Writer {
                 self.cone([*base, *top], [*base_radius, *top_radius], &material);
                 self.caps([*base, *top], [*base_radius, *top_radius], *capped, &material);
             }
-            Shape::Mesh(mesh) => self.mesh(mesh, &material),
+            Shape::Mesh(mesh) => {
+                if !mesh.colors.is_empty() {
+                    self.losses.note("colours of points are left out");
+                }
+                self.mesh(&mesh.placed(&object.transform), &material);
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 //! Materials of POV-Ray.
 
+use brt_image::Rgb;
 use brt_scene::{Axis, Highlight, Material};
 
 use super::{Writer, color, comment, number};
@@ -19,6 +20,18 @@ impl Writer {
         }
         if m.reflection > 0.0 {
             finish.push_str(&format!(" reflection {{ rgb {} }}", number(m.reflection)));
+        }
+        if m.emission != Rgb::BLACK {
+            self.losses.note_for(
+                "POV-Ray tints emission with the body's colour; it is left out",
+                format!("material `{}`", m.name),
+            );
+        }
+        if m.opacity < 1.0 && (m.transmission > 0.0 || m.specular > 0.0 || m.reflection > 0.0) {
+            self.losses.note_for(
+                "POV-Ray shows highlights, mirrors and glass in full on what is partly there",
+                format!("material `{}`", m.name),
+            );
         }
         let interior = if m.transmission > 0.0 {
             format!(" interior {{ ior {} }}", number(m.index_of_refraction))
@@ -62,8 +75,8 @@ fn highlight(m: &Material) -> String {
 }
 
 fn pigment(m: &Material) -> String {
-    let through =
-        if m.transmission > 0.0 { format!(" transmit {}", number(m.transmission)) } else { String::new() };
+    let share = if m.transmission > 0.0 { m.transmission } else { 1.0 - m.opacity };
+    let through = if share > 0.0 { format!(" transmit {}", number(share)) } else { String::new() };
     let Some(checker) = &m.checker else {
         return format!("color rgb {}{through}", color(m.color));
     };

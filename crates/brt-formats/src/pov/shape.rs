@@ -9,6 +9,8 @@ const OPEN_GLASS: &str = "POV-Ray takes what a ray has entered from its path, we
 
 const SMOOTH: &str = "POV-Ray lights smooth meshes where only the facet is turned away from the light; they differ a little there";
 
+const COLORS: &str = "colours of points are left out";
+
 impl Writer {
     pub(super) fn object(&mut self, object: &Object, scene: &Scene) {
         if let Some(name) = &object.name {
@@ -20,12 +22,16 @@ impl Writer {
         if material.transmission > 0.0 && material.index_of_refraction != 1.0 && is_open(&object.shape) {
             self.losses.note_for(OPEN_GLASS, format!("material `{}`", material.name));
         }
+        if matches!(&object.shape, Shape::Mesh(mesh) if !mesh.colors.is_empty()) {
+            self.losses.note_for(COLORS, format!("material `{}`", material.name));
+        }
         let shape = match &object.shape {
             Shape::Mesh(mesh) if mesh.triangles.is_empty() => return,
             Shape::Mesh(mesh) if !mesh.normals.is_empty() => {
                 self.losses.note_for(SMOOTH, format!("material `{}`", material.name));
-                mesh_text(mesh)
+                mesh_text(&mesh.placed(&object.transform))
             }
+            Shape::Mesh(mesh) => mesh_text(&mesh.placed(&object.transform)),
             shape => shape_text(shape),
         };
         self.line(format_args!("{shape} material {{ M{index} }}{shadow} }}"));

@@ -54,15 +54,18 @@ pub(super) fn read_mesh(fields: &mut Fields) -> Option<Mesh> {
 
 /// The mesh of an object: its own, or the one that its field `mesh` names.
 pub(super) fn mesh_of(fields: &mut Fields, meshes: &Meshes) -> Option<Arc<Mesh>> {
-    match fields.value("mesh") {
-        None => read_mesh(fields).map(Arc::new),
-        Some(value) => match named(value, meshes) {
-            Ok(mesh) => mesh,
-            Err(diagnostic) => {
-                fields.problems.push(diagnostic);
-                None
-            }
-        },
+    let Some(value) = fields.value("mesh") else { return read_mesh(fields).map(Arc::new) };
+    if let Some(own) = MESH_FIELDS.iter().find_map(|field| fields.value(field)) {
+        let message = "the mesh has a field of its own beside `mesh`";
+        fields.problems.push(error(message, own, "`mesh` or the fields of a mesh, not both"));
+        return None;
+    }
+    match named(value, meshes) {
+        Ok(mesh) => mesh,
+        Err(diagnostic) => {
+            fields.problems.push(diagnostic);
+            None
+        }
     }
 }
 

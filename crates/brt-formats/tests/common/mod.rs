@@ -64,6 +64,12 @@ color = [1, 1, 1]
 type = "directional"
 direction = [0, -1, 0]
 color = [0.5, 0.5, 0.5]
+[[light]]
+type = "spot"
+position = [0, 5, 0]
+direction = [0, -1, 0]
+color = [1, 1, 1]
+outer_deg = 30
 [materials.zinc]
 color = [1, 1, 1]
 [materials."a b"]
@@ -73,6 +79,8 @@ highlight = "blinn"
 transmission = 0.5
 index_of_refraction = 1.5
 casts_shadow = false
+emission = [0.5, 0, 0]
+opacity = 0.5
 [[object]]
 type = "sphere"
 name = "bäll \"1\""
@@ -114,7 +122,20 @@ type = "mesh"
 material = "zinc"
 positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
 normals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]]
+colors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
 triangles = [[0, 1, 2]]
+[meshes.leaf]
+positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+triangles = [[0, 1, 2]]
+[[object]]
+type = "mesh"
+material = "zinc"
+mesh = "leaf"
+[[object]]
+type = "mesh"
+material = "zinc"
+mesh = "leaf"
+transform = [[1, 0, 0, 3], [0, -1, 0, 0], [0, 0, 1, 0]]
 "#;
 
 /// A small NFF file with one of everything.

@@ -1,6 +1,5 @@
 //! Meshes become triangles on smooth groups.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 use brt_geometry::{Affine, FACET_ANGLE, Primitive, Triangle, Vec3};
@@ -10,7 +9,7 @@ use super::flatten::{Corners, Flattened, Owner};
 
 /// Adds a mesh's triangles. Those without area are left out: no ray can meet them.
 pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut Flattened) {
-    let mesh = &placed(mesh, map);
+    let mesh = &*mesh.placed(map);
     let corners = |t: &[u32; 3]| t.map(|i| mesh.positions[i as usize]);
     let solid: Vec<(&[u32; 3], Triangle)> =
         mesh.triangles.iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
@@ -29,20 +28,6 @@ pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut F
         };
         flat.add(Primitive::Triangle(*triangle), owner, surface, corners);
     }
-}
-
-/// The mesh in the scene's space. A map that mirrors turns triangles around, so that fronts stay fronts.
-fn placed<'m>(mesh: &'m Mesh, map: &Affine) -> Cow<'m, Mesh> {
-    if *map == Affine::IDENTITY {
-        return Cow::Borrowed(mesh);
-    }
-    let mut placed = mesh.clone();
-    placed.positions.iter_mut().for_each(|p| *p = map.point(*p));
-    placed.normals.iter_mut().for_each(|n| *n = map.normal(*n));
-    if map.mirrors() {
-        placed.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-    }
-    Cow::Owned(placed)
 }
 
 /// Joins triangles over common edges: all in a mesh with normals, those in one plane in a mesh without.

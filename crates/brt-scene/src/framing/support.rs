@@ -1,16 +1,16 @@
 //! How far a scene reaches in a direction: all that framing needs to know about shapes.
 
-use brt_geometry::Vec3;
+use brt_geometry::{Affine, Vec3, vec3};
 
-use crate::{Scene, Shape};
+use crate::{Object, Scene, Shape};
 
 /// Greatest `p·direction` of all points of bounded objects; `None` where there are none.
 pub fn support(scene: &Scene, direction: Vec3) -> Option<f64> {
-    scene.objects.iter().filter_map(|object| of_shape(&object.shape, direction)).reduce(f64::max)
+    scene.objects.iter().filter_map(|object| of_object(object, direction)).reduce(f64::max)
 }
 
-fn of_shape(shape: &Shape, n: Vec3) -> Option<f64> {
-    match shape {
+fn of_object(object: &Object, n: Vec3) -> Option<f64> {
+    match &object.shape {
         Shape::Sphere { center, radius } => Some(center.dot(n) + radius * n.length()),
         Shape::Plane { .. } => None,
         Shape::Polygon { outline, .. } => of_points(outline, n),
@@ -23,7 +23,12 @@ fn of_shape(shape: &Shape, n: Vec3) -> Option<f64> {
             let axis = *top - *base;
             Some(of_disc(*base, axis, *base_radius, n).max(of_disc(*top, axis, *top_radius, n)))
         }
-        Shape::Mesh(mesh) => of_points(&mesh.positions, n),
+        // (A·p + o)·n is p·(Aᵀ·n) + o·n.
+        Shape::Mesh(mesh) => {
+            let Affine { axes: [a, b, c], offset } = object.transform;
+            let turned = vec3(a.dot(n), b.dot(n), c.dot(n));
+            Some(of_points(&mesh.positions, turned)? + offset.dot(n))
+        }
     }
 }
 

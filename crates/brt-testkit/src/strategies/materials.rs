@@ -4,7 +4,7 @@ use brt_image::{Rgb, rgb};
 use brt_scene::{Axis, Checker, Highlight, Material};
 use proptest::prelude::*;
 
-/// Any material: matte or shiny, chequered or not, mirror or glass; the name is to be set by the caller.
+/// Any material: matte or shiny, chequered or not, glowing, mirror or glass, sometimes not wholly there; the name is to be set by the caller.
 pub fn any_material() -> impl Strategy<Value = Material> {
     let factors = (0.0..0.4, 0.0..1.0, prop_oneof![Just(0.0), 0.0..1.0]);
     let further = prop_oneof![
@@ -12,9 +12,15 @@ pub fn any_material() -> impl Strategy<Value = Material> {
         2 => (0.05..0.9).prop_map(|reflection| (reflection, 0.0, 1.0)),
         2 => (0.0..0.3, 0.3..1.0, prop_oneof![Just(1.0), Just(1.5), 1.0..2.0]),
     ];
-    (any_color(), checker(), factors, exponent(), any::<bool>(), further, prop::bool::weighted(0.8)).prop_map(
-        |(color, checker, (ambient, diffuse, specular), exponent, is_blinn, further, casts_shadow)| {
+    let emission = prop_oneof![4 => Just(Rgb::BLACK), 1 => any_color()];
+    let opacity = prop_oneof![6 => Just(1.0), 1 => 0.0..1.0, 1 => prop::sample::select(vec![0.0, 0.5])];
+    let flags = (any::<bool>(), prop::bool::weighted(0.8));
+    (any_color(), checker(), factors, exponent(), flags, further, (emission, opacity)).prop_map(
+        |(color, checker, factors, exponent, (is_blinn, casts_shadow), further, (emission, opacity))| {
+            let (ambient, diffuse, specular) = factors;
             Material {
+                emission,
+                opacity,
                 checker,
                 ambient,
                 diffuse,

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use brt_formats::write_toml;
-use brt_geometry::{Vec3, vec3};
+use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::rgb;
 use brt_scene::{Camera, Light, Material, MaterialId, Object, Projection, Scene, Shape};
 use proptest::prelude::*;
@@ -25,14 +25,16 @@ impl fmt::Debug for AnyScene {
 
 /// Scenes of up to `most_objects` objects that are fit to be rendered.
 pub fn any_scene(most_objects: usize) -> impl Strategy<Value = AnyScene> {
-    let objects = prop::collection::vec((any_shape(), 0_u32..4), 0..=most_objects);
+    let objects = prop::collection::vec((any_shape(), 0_u32..4, any_placement()), 0..=most_objects);
     let materials = prop::collection::vec(any_material(), 4);
     let lights = prop::collection::vec(any_light(), 0..4);
     (objects, materials, lights, any_view(), any_color(), 0_u32..5)
         .prop_map(|(objects, materials, lights, view, background, max_depth)| {
             let objects = objects
                 .into_iter()
-                .map(|(shape, material)| Object::new(shape, MaterialId(material)))
+                .map(|(shape, material, placement)| {
+                    placed(Object::new(shape, MaterialId(material)), placement)
+                })
                 .collect();
             let mut scene = Scene {
                 background,
@@ -48,6 +50,22 @@ pub fn any_scene(most_objects: usize) -> impl Strategy<Value = AnyScene> {
         .prop_filter("fit to be rendered", |scene| scene.0.check().is_empty())
 }
 
+/// Mostly where the mesh is; else turned, stretched, mirrored and moved.
+fn any_placement() -> impl Strategy<Value = Affine> {
+    let axis = || prop::array::uniform3(-1.5..1.5_f64).prop_map(Vec3::from);
+    let map = (axis(), axis(), axis(), point(1.0))
+        .prop_map(|(a, b, c, offset)| Affine { axes: [a, b, c], offset })
+        .prop_filter("keeps volumes", |map| map.determinant().abs() > 0.05);
+    prop_oneof![2 => Just(Affine::IDENTITY), 1 => map]
+}
+
+fn placed(object: Object, placement: Affine) -> Object {
+    match &object.shape {
+        Shape::Mesh(_) => Object { transform: placement, ..object },
+        _ => object,
+    }
+}
+
 fn named((material, number): (Material, u32)) -> Material {
     Material { name: format!("m{number}"), ..material }
 }
@@ -55,8 +73,21 @@ fn named((material, number): (Material, u32)) -> Material {
 fn any_light() -> impl Strategy<Value = Light> {
     prop_oneof![
         3 => (point(8.0), any_color()).prop_map(|(position, color)| Light::Point { position, color }),
+        1 => any_spot(),
         1 => (direction(), any_color()).prop_map(|(direction, color)| Light::Directional { direction, color }),
     ]
+}
+
+fn any_spot() -> impl Strategy<Value = Light> {
+    (point(8.0), direction(), any_color(), 0.0..0.99, 5.0..120.0).prop_map(
+        |(position, direction, color, sharpness, outer_deg)| Light::Spot {
+            position,
+            direction,
+            color,
+            inner_deg: sharpness * outer_deg,
+            outer_deg,
+        },
+    )
 }
 
 /// Where the eye is.
@@ -114,12 +145,12 @@ impl Place {
             }
             Self::OnObject(index) => {
                 if let Some(object) = scene.objects.get(index) {
-                    scene.camera.eye = point_on(&object.shape);
+                    scene.camera.eye = object.transform.point(point_on(&object.shape));
                 }
             }
             Self::BeforeObject(index) => {
                 if let Some(object) = scene.objects.get(index) {
-                    let on = point_on(&object.shape);
+                    let on = object.transform.point(point_on(&object.shape));
                     scene.camera.eye = on + vec3(0.01, 0.02, 0.03);
                     scene.camera.look_at = on;
                 }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use brt_geometry::Vec3;
+use brt_image::rgb;
 use brt_scene::{Mesh, Shape};
 use proptest::prelude::*;
 
@@ -75,10 +76,10 @@ fn star_polygon() -> impl Strategy<Value = Shape> {
     )
 }
 
-/// A bumpy square of triangles, smooth or flat, with some triangles that have no area.
+/// A bumpy square of triangles, smooth or flat, with or without colours of its points, with some triangles that have no area.
 fn height_field() -> impl Strategy<Value = Shape> {
-    (point(2.5), direction(), 1_u32..5, prop::collection::vec(-0.4..0.4, 25), any::<bool>()).prop_map(
-        |(center, normal, cells, heights, is_smooth)| {
+    (point(2.5), direction(), 1_u32..5, prop::collection::vec(-0.4..0.4, 25), any::<[bool; 2]>()).prop_map(
+        |(center, normal, cells, heights, [is_smooth, is_colored])| {
             let up = normal.try_normalize().unwrap_or_default();
             let (u, v) = up.tangents();
             let side = cells + 1;
@@ -98,7 +99,9 @@ fn height_field() -> impl Strategy<Value = Shape> {
             };
             let mut triangles: Vec<[u32; 3]> = (0..cells * cells).flat_map(cell).collect();
             triangles.push([0, 1, 0]);
-            Shape::from(Mesh { positions, normals, triangles, ..Mesh::default() })
+            let color = |i: u32| rgb(0.5 + heights[i as usize], 0.5 - heights[i as usize], 0.7);
+            let colors = if is_colored { (0..side * side).map(color).collect() } else { Vec::new() };
+            Shape::from(Mesh { positions, normals, colors, triangles })
         },
     )
 }
