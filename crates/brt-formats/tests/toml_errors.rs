@@ -217,10 +217,10 @@ fn limits_are_kept() {
     let all = Limits::default();
     assert_eq!(exceeded(Limits { bytes: 100, ..all }), LimitKind::Bytes);
     assert_eq!(exceeded(Limits { words: 100, ..all }), LimitKind::Words);
-    assert_eq!(exceeded(Limits { objects: 6, ..all }), LimitKind::Objects);
-    assert_eq!(exceeded(Limits { points: 9, ..all }), LimitKind::Points);
+    assert_eq!(exceeded(Limits { objects: 8, ..all }), LimitKind::Objects);
+    assert_eq!(exceeded(Limits { points: 12, ..all }), LimitKind::Points);
     assert_eq!(exceeded(Limits { max_picture_pixels: 64 * 48 - 1, ..all }), LimitKind::PicturePixels);
-    let exact = Limits { objects: 7, points: 10, max_picture_pixels: 64 * 48, ..all };
+    let exact = Limits { objects: 9, points: 13, max_picture_pixels: 64 * 48, ..all };
     assert!(parse(Format::Toml, EVERYTHING.as_bytes(), &exact).is_ok());
 }
 

@@ -30,7 +30,7 @@ impl<'a> Patch<'a> {
     /// sides.
     pub(crate) fn at(scene: &'a PreparedScene, ray: &Ray<Taylor>, primitive: u32, t: Taylor) -> Option<Self> {
         let info = &scene.infos[primitive as usize];
-        if !info.is_plain() || !(t.c.is_finite() && t.e.is_finite()) {
+        if !(info.is_plain() && t.c.is_finite() && t.e.is_finite()) {
             return None;
         }
         let point = ray.at(t);

@@ -26,7 +26,7 @@ fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, r
         let here = Interaction::at(scene, &ray, met.primitive, met.t);
         let opacity = here.material.opacity;
         color = color + surface_color(scene, &ray, &here, bounces_left, rays_left) * (share * opacity);
-        share = share * (1.0 - opacity);
+        share *= 1.0 - opacity;
         if share == 0.0 || *rays_left == 0 {
             return color;
         }
@@ -97,7 +97,7 @@ fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interacti
         let ray = Ray::new(point, towards);
         let Some(met) = nearest(scene, &ray, from, t_max, casts_shadow) else { return share };
         let material = scene.infos[met.primitive as usize].material;
-        share = share * (1.0 - scene.materials[material as usize].opacity);
+        share *= 1.0 - scene.materials[material as usize].opacity;
         if share == 0.0 {
             return 0.0;
         }

@@ -39,7 +39,7 @@ impl Tracer<'_> {
             let here = Interaction::at(self.scene, &ray, met.primitive, met.t);
             let layer = self.surface_color(&ray, &here, bounces_left, Unguided);
             color = color + layer * (share * here.material.opacity);
-            share = share * (1.0 - here.material.opacity);
+            share *= 1.0 - here.material.opacity;
             (point, from) = (here.point, met.primitive);
         }
         color
@@ -55,7 +55,7 @@ impl Tracer<'_> {
             self.counters.rays.shadow += 1;
             let Some(met) = self.search.shadower(&ray, from, t_max) else { return Ok(share) };
             let info = &self.scene.infos[met.primitive as usize];
-            share = share * (1.0 - self.scene.materials[info.material as usize].opacity);
+            share *= 1.0 - self.scene.materials[info.material as usize].opacity;
             if share == 0.0 {
                 return Err(info.surface);
             }
