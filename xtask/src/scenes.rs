@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use brt_formats::{Limits, load};
-use brt_render::{Layer, LayerRows, Rows, Run, Settings, Stats, render};
+use brt_render::{Layer, LayerRows, RayOrder, Rows, Run, Settings, Stats, render};
 use brt_scene::{Scene, procedural};
 
 /// The seed scenes.
@@ -20,10 +20,11 @@ pub(crate) fn open(name: &str) -> Result<Scene> {
     }
 }
 
-/// Renders a scene into memory, joined to whole layers.
+/// Renders a scene into memory, joined to whole layers; full ray tracing ray by ray, so that it shares no lookup with what
+/// is held against it.
 pub(crate) fn render_whole(scene: &Scene, settings: &Settings) -> Result<(Vec<[f32; 3]>, Vec<Rows>, Stats)> {
     let mut rows: Vec<Rows> = Vec::new();
-    let stats = render(scene, settings, &Run::default(), &mut rows)?;
+    let stats = render(scene, settings, &Run { rays: RayOrder::Single, ..Run::default() }, &mut rows)?;
     let colors = rows.iter().flat_map(|r| r.colors.iter().copied()).collect();
     Ok((colors, rows, stats))
 }

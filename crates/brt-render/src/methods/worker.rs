@@ -8,7 +8,7 @@ use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock
 use crate::render::Job;
 use crate::run::RayOrder;
 use crate::settings::Settings;
-use crate::tracing::{Bundle, Guide, NO_COLORS, Sight, Tracer, Unguided, color_at};
+use crate::tracing::{Bundle, Colors, Guide, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -22,6 +22,8 @@ pub(crate) struct TileWorker<'a> {
     pub(crate) wants_causes: bool,
     /// How all samples are traced where no method chooses.
     pub(crate) rays: RayOrder,
+    bundle: Bundle,
+    colors: Colors,
 }
 
 /// Where a first hit comes from.
@@ -54,6 +56,8 @@ impl<'a> TileWorker<'a> {
             wants_histories,
             wants_causes: layers.contains(&Layer::Certificates),
             rays: if wants_histories { RayOrder::Single } else { rays },
+            bundle: Bundle::default(),
+            colors: NO_COLORS,
         }
     }
 
@@ -91,25 +95,28 @@ impl<'a> TileWorker<'a> {
         guide: impl Guide,
         state: SampleState,
     ) {
-        let camera = self.camera;
+        let Self { camera, bundle, colors, .. } = self;
         let last = samples.len() - 1;
-        let bundle = Bundle::new(samples.len(), |packet| {
-            let at = |lane: usize| samples[(packet * LANES + lane).min(last)];
-            let x = Lanes::from_fn(|lane| f64::from(tile.x + at(lane)[0]));
-            let y = Lanes::from_fn(|lane| f64::from(tile.y + at(lane)[1]));
-            SimdLevel::default().run(
-                #[inline(always)]
-                || {
-                    let Ray { origin, direction, .. } = camera.ray(x, y);
-                    LaneRays { origin, direction }
-                },
-            )
-        });
-        let mut colors = NO_COLORS;
-        self.tracer.trace_bundle(&bundle, first, guide, &mut colors);
+        SimdLevel::default().run(
+            #[inline(always)]
+            || {
+                bundle.set(
+                    samples.len(),
+                    #[inline(always)]
+                    |packet| {
+                        let at = |lane: usize| samples[(packet * LANES + lane).min(last)];
+                        let x = Lanes::from_fn(|lane| f64::from(tile.x + at(lane)[0]));
+                        let y = Lanes::from_fn(|lane| f64::from(tile.y + at(lane)[1]));
+                        let Ray { origin, direction, .. } = camera.ray(x, y);
+                        LaneRays { origin, direction }
+                    },
+                );
+            },
+        );
+        self.tracer.trace_bundle(bundle, first, guide, colors);
         for (i, &[x, y]) in samples.iter().enumerate() {
             let index = tile.index(x, y);
-            self.samples.color[index] = color_at(&colors, i).to_f32();
+            self.samples.color[index] = color_at(colors, i).to_f32();
             self.samples.state[index] = state;
         }
     }

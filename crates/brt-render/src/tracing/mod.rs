@@ -19,7 +19,7 @@ mod source;
 mod tracer;
 
 pub(crate) use bounding_spheres::BoundingSpheres;
-pub(crate) use bundle::{Bundle, MOST_RAYS, NO_COLORS, color_at};
+pub(crate) use bundle::{Bundle, Colors, MOST_RAYS, NO_COLORS, color_at};
 /// No sample follows more mirror and refracted rays: between glass walls their number doubles at every bounce. Those
 /// beyond it end like those at the depth limit.
 const MOST_RAYS_PER_SAMPLE: u32 = 1 << 16;

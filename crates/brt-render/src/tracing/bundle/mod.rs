@@ -59,14 +59,9 @@ impl Default for Bundle {
 }
 
 impl Bundle {
-    /// `count` rays, eight at a time from `rays`; lanes beyond the last must be numbers, too.
-    pub(crate) fn new(count: usize, rays: impl FnMut(usize) -> LaneRays) -> Self {
-        let mut bundle = Self::default();
-        bundle.set(count, rays);
-        bundle
-    }
-
-    fn set(&mut self, count: usize, mut rays: impl FnMut(usize) -> LaneRays) {
+    /// Becomes `count` rays, eight at a time from `rays`; lanes beyond the last are to repeat it.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, count: usize, mut rays: impl FnMut(usize) -> LaneRays) {
         debug_assert!((1..=MOST_RAYS).contains(&count), "{count} rays");
         self.count = count;
         (0..self.packets()).for_each(|i| self.rays[i] = rays(i));
