@@ -93,8 +93,12 @@ fn what_is_lost_is_named() {
     assert!(
         text.contains("polygon { 9, <0, 0, 0>,") && text.contains(" no_shadow }") && text.contains(" open ")
     );
-    assert_eq!(losses.len(), 1, "{losses:?}");
-    assert!(losses[0].contains("smooth meshes") && losses[0].ends_with("material `zinc`"));
+    let parts = ["cones of light", "emission", "partly there", "colours of points", "smooth meshes"];
+    assert_eq!(losses.len(), parts.len(), "{losses:?}");
+    for (loss, part) in losses.iter().zip(parts) {
+        assert!(loss.contains(part), "{loss} does not name {part}");
+    }
+    assert!(losses[4].ends_with("material `zinc`"), "{losses:?}");
 
     let (_, losses) = written(Format::Dat, EVERYTHING);
     for part in ["background", "checkers", "refracts nothing", "no cones"] {
