@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use brt_geometry::{FACET_ANGLE, Vec3};
-use brt_image::{Rgb, Transfer};
+use brt_image::Rgb;
 use brt_scene::{Mesh, Shape};
 
 use super::affine::Affine;
@@ -82,21 +82,35 @@ impl Geometry {
         Self { triangles, ..self.gather(&sources, normals) }
     }
 
-    /// Parts by colour, where points have colours: scenes have one colour per material.
+    /// Parts by colour, where points have colours.
     ///
-    /// A triangle has the mean of its points' colours, in 32 steps a channel of what is seen.
+    /// Triangles of one colour make parts of their own, of which more can be proven; the others keep the colours of their
+    /// points. So do all where there are very many colours.
     pub(crate) fn by_color(self) -> Vec<(Option<Rgb>, Self)> {
+        const MOST_PARTS: usize = 64;
         if self.colors.is_empty() {
             return vec![(None, self)];
         }
-        let mut parts: BTreeMap<[u8; 3], (Rgb, Vec<[u32; 3]>)> = BTreeMap::new();
+        let mut even: BTreeMap<[u64; 3], Vec<[u32; 3]>> = BTreeMap::new();
+        let mut mixed = Vec::new();
         for &t in &self.triangles {
-            let [a, b, c] = t.map(|i| self.colors[i as usize]);
-            let mean = (a + b + c) * (1.0 / 3.0);
-            let step = <[f64; 3]>::from(mean).map(|c| (Transfer::Srgb.encode(c) * 31.0).round() as u8);
-            parts.entry(step).or_insert_with(|| (mean, Vec::new())).1.push(t);
+            let [a, b, c] = t.map(|i| <[f64; 3]>::from(self.colors[i as usize]).map(f64::to_bits));
+            match a == b && b == c {
+                true => even.entry(a).or_default().push(t),
+                false => mixed.push(t),
+            }
         }
-        parts.into_values().map(|(color, triangles)| (Some(color), self.part(triangles))).collect()
+        if even.len() > MOST_PARTS {
+            return vec![(Some(Rgb::WHITE), self)];
+        }
+        let color_of = |t: &[u32; 3]| self.colors[t[0] as usize];
+        let plain = |part: Self| Self { colors: Vec::new(), ..part };
+        let mut parts: Vec<(Option<Rgb>, Self)> =
+            even.into_values().map(|part| (Some(color_of(&part[0])), plain(self.part(part)))).collect();
+        if !mixed.is_empty() {
+            parts.push((Some(Rgb::WHITE), self.part(mixed)));
+        }
+        parts
     }
 
     /// The same somewhere else.
@@ -111,8 +125,8 @@ impl Geometry {
 
     /// As a shape of the scene.
     pub(crate) fn into_shape(self) -> Shape {
-        let Self { positions, normals, triangles, .. } = self;
-        Mesh { positions, normals, triangles, ..Mesh::default() }.into()
+        let Self { positions, normals, colors, triangles, .. } = self;
+        Mesh { positions, normals, colors, triangles }.into()
     }
 }
 
