@@ -124,12 +124,12 @@ impl Writer {
             Light::Spot { position, direction, color: c, inner_deg, outer_deg } => {
                 self.losses.note("Tachyon's cones of light fall off differently");
                 self.line(format_args!(
-                    "SPOTLIGHT CENTER {} RAD 0.001 COLOR {} DIRECTION {} FALLOFF_START {} FALLOFF_END {}",
+                    "SPOTLIGHT CENTER {} RAD 0.001 DIRECTION {} FALLOFF_START {} FALLOFF_END {} COLOR {}",
                     vector(*position),
-                    color(*c),
                     vector(*direction),
                     number(*inner_deg),
                     number(*outer_deg),
+                    color(*c),
                 ));
             }
             Light::Directional { direction, color: c } => self.line(format_args!(
