@@ -2,7 +2,7 @@
 //!
 //! Rows are gathered to segments whose height follows from the width alone, so the bytes of a file depend neither on
 //! threads nor on bands. A segment is quantised, filtered and compressed by one thread while it is in its cache.
-//! Measured on seed scenes A and B, 4096², one thread of a busy machine (the least of three), ns and bytes per pixel:
+//! Measured on seed scenes A and B, 4096², one thread of a busy machine (the least of one to three runs), ns and bytes per pixel:
 //!
 //! | | deflate | filter | 8 bit, A | 8 bit, B | 16 bit, A | 16 bit, B |
 //! |---|---|---|---|---|---|---|
