@@ -1,7 +1,7 @@
 //! The shaft of rays that are given one by one, eight in lanes.
 
 use crate::shaft::Shaft;
-use crate::{COORDINATE_ROUNDING, LANES, Lanes, Real, Vec3, vec3};
+use crate::{BOX_MARGIN, Bvh, COORDINATE_ROUNDING, LANES, Lanes, Real, Vec3, vec3};
 
 /// Eight rays: where they start and where they go.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ impl Shaft {
         }
         let slopes = [slopes(rays, axis, sides[0]), slopes(rays, axis, sides[1])];
         let size = 1.0 + slopes[0].size() + slopes[1].size();
-        let margin = COORDINATE_ROUNDING * size;
+        let margin = COORDINATE_ROUNDING * size * size;
         let mut shaft = Self::empty();
         for (side, slope) in sides.into_iter().zip(slopes) {
             shaft.bound(side - axis * (slope.greatest + margin), rays, 0.0)?;
@@ -44,6 +44,24 @@ impl Shaft {
             shaft.bound(axis, rays, end * along.greatest)?;
         }
         Some(shaft)
+    }
+
+    /// The same, wider by more than a hit with an item of the tree may be beside its ray by rounding: as much as the
+    /// tree's boxes are larger than their items, and more for rays from afar.
+    #[inline(always)]
+    pub fn around_rays_in(tree: &Bvh, rays: &[LaneRays], end: f64) -> Option<Self> {
+        let (center, size) = tree.extent();
+        let far = Range::of(
+            rays,
+            #[inline(always)]
+            |ray| {
+                let (o, d) = (ray.origin - center.lift(), ray.direction);
+                let start = o.x.abs() + o.y.abs() + o.z.abs();
+                let way = d.x.abs() + d.y.abs() + d.z.abs();
+                if end.is_finite() { start + way * Lanes::constant(end) } else { start }
+            },
+        );
+        Self::around_rays(rays, end)?.widened(BOX_MARGIN * (size + far.greatest))
     }
 
     /// Adds the half-space with this normal that all origins are in, or are by no more than `beyond` out of.

@@ -69,6 +69,14 @@ impl Shaft {
         Some(())
     }
 
+    /// With all faces moved outward by this distance.
+    pub(crate) fn widened(mut self, distance: f64) -> Option<Self> {
+        for face in &mut self.faces[..self.count] {
+            face.offset += distance * face.normal.length();
+        }
+        self.faces().iter().all(|face| face.offset.is_finite()).then_some(self)
+    }
+
     pub(crate) fn faces(&self) -> &[HalfSpace] {
         &self.faces[..self.count]
     }

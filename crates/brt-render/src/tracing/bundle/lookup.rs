@@ -1,6 +1,6 @@
 //! Which primitives may the rays of a bundle meet? Looked up once for all of them.
 
-use brt_geometry::{LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Vec3};
+use brt_geometry::{Bvh, LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Vec3};
 
 use super::{Bundle, NOWHERE, PACKETS};
 use crate::products::{PreparedLight, PreparedScene};
@@ -27,7 +27,7 @@ impl Lookup {
             scene,
             rays.count,
             #[inline(always)]
-            || Shaft::around_rays(&rays.rays[..rays.packets()], f64::INFINITY),
+            |tree| Shaft::around_rays_in(tree, &rays.rays[..rays.packets()], f64::INFINITY),
             |_| true,
         )
     }
@@ -44,7 +44,7 @@ impl Lookup {
             scene,
             count,
             #[inline(always)]
-            || light_shaft(points, count, light),
+            |tree| light_shaft(tree, points, count, light),
             |id| scene.infos[id as usize].casts_shadow,
         )
     }
@@ -58,7 +58,7 @@ impl Lookup {
         &mut self,
         scene: &PreparedScene,
         count: usize,
-        shaft: impl FnOnce() -> Option<Shaft>,
+        shaft: impl FnOnce(&Bvh) -> Option<Shaft>,
         counts: impl Fn(u32) -> bool,
     ) -> Option<Vec<u32>> {
         let mut list = self.spare.pop().unwrap_or_default();
@@ -68,14 +68,16 @@ impl Lookup {
             return Some(list);
         }
         let is_complete = match &scene.index {
-            SpatialIndex::Bvh(bvh) if count >= LEAST_RAYS => shaft_of(shaft).is_some_and(|shaft| {
-                let mut visit = |id: u32| {
-                    if counts(id) && !shaft.misses(&scene.primitives[id as usize]) {
-                        list.push(id);
-                    }
-                    list.len() <= MOST_LISTED
-                };
-                scene.outside.iter().all(|&id| visit(id)) && bvh.touched_by(&shaft, visit)
+            SpatialIndex::Bvh(bvh) if count >= LEAST_RAYS => shaft_of(bvh, shaft).is_some_and(|shaft| {
+                // Single rays try all of these, wherever they are.
+                list.extend(scene.outside.iter().filter(|&&id| counts(id)));
+                list.len() <= MOST_LISTED
+                    && bvh.touched_by(&shaft, |id| {
+                        if counts(id) && !shaft.misses(&scene.primitives[id as usize]) {
+                            list.push(id);
+                        }
+                        list.len() <= MOST_LISTED
+                    })
             }),
             _ => false,
         };
@@ -89,7 +91,12 @@ impl Lookup {
 
 /// All ways between points and a light.
 #[inline(always)]
-fn light_shaft(points: &[Vec3<Lanes>; PACKETS], count: usize, light: &PreparedLight) -> Option<Shaft> {
+fn light_shaft(
+    tree: &Bvh,
+    points: &[Vec3<Lanes>; PACKETS],
+    count: usize,
+    light: &PreparedLight,
+) -> Option<Shaft> {
     let mut ways = [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS];
     let packets = count.div_ceil(LANES);
     for (way, &point) in ways.iter_mut().zip(points).take(packets) {
@@ -104,10 +111,13 @@ fn light_shaft(points: &[Vec3<Lanes>; PACKETS], count: usize, light: &PreparedLi
         };
     }
     let end = if let PreparedLight::Point { .. } = light { 1.0 } else { f64::INFINITY };
-    Shaft::around_rays(&ways[..packets], end)
+    Shaft::around_rays_in(tree, &ways[..packets], end)
 }
 
 /// The shaft, computed in lanes.
-fn shaft_of(shaft: impl FnOnce() -> Option<Shaft>) -> Option<Shaft> {
-    SimdLevel::default().run(shaft)
+fn shaft_of(tree: &Bvh, shaft: impl FnOnce(&Bvh) -> Option<Shaft>) -> Option<Shaft> {
+    SimdLevel::default().run(
+        #[inline(always)]
+        || shaft(tree),
+    )
 }
