@@ -1,6 +1,6 @@
 //! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most six half-spaces.
 
-use crate::{Aabb, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
+use crate::{Aabb, BOX_MARGIN, Bvh, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
 
 /// A convex region that holds all rays of a block.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +41,21 @@ impl Shaft {
             shaft.push(HalfSpace { normal: axis, offset: ends.range()[1] }, reach(axis, origin))?;
         }
         Some(shaft)
+    }
+
+    /// The same, wider by more than a hit with an item of the tree may be beside its ray by rounding, as
+    /// [`Self::around_rays_in`] is.
+    pub fn around_in(tree: &Bvh, origin: &Vec3<Taylor>, direction: &Vec3<Taylor>, end: f64) -> Option<Self> {
+        let (center, size) = tree.extent();
+        let greatest = |x: Taylor, from: f64| {
+            let [lo, hi] = x.range();
+            (lo - from).abs().max((hi - from).abs())
+        };
+        let sum = |v: &Vec3<Taylor>, from: Vec3| {
+            greatest(v.x, from.x) + greatest(v.y, from.y) + greatest(v.z, from.z)
+        };
+        let way = if end.is_finite() { end * sum(direction, Vec3::ZERO) } else { 0.0 };
+        Self::around(origin, direction, end)?.widened(BOX_MARGIN * (size + sum(origin, center) + way))
     }
 
     /// Adds the half-space with this normal that all origins are in.

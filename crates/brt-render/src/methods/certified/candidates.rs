@@ -1,6 +1,6 @@
 //! Lists of primitives that the rays of a block may meet. A block's lists are filtered from its parent's.
 
-use brt_geometry::{Shaft, SpatialIndex};
+use brt_geometry::{Shaft, SpatialIndex, Taylor, Vec3};
 
 use crate::products::PreparedScene;
 
@@ -59,6 +59,14 @@ impl<'a> Candidates<'a> {
     /// Keeps those found as a list.
     pub(super) fn keep_found(&mut self) -> List {
         self.lists.keep(self.found.drain(..))
+    }
+
+    /// The shaft of rays up to distance `end`, wide enough for all that rays are said to hit.
+    pub(super) fn shaft(&self, origin: &Vec3<Taylor>, direction: &Vec3<Taylor>, end: f64) -> Option<Shaft> {
+        match &self.scene.index {
+            SpatialIndex::Bvh(tree) => Shaft::around_in(tree, origin, direction, end),
+            _ => Shaft::around(origin, direction, end),
+        }
     }
 
     /// Finds what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether that is everything

@@ -31,7 +31,7 @@ pub(in crate::methods::certified) fn lighting(
     if faces == Some(false) {
         return KnownLighting::Hidden;
     }
-    let Some(shaft) = shaft_of(patch, light, ways) else { return known };
+    let Some(shaft) = shaft_of(candidates, patch, light, ways) else { return known };
     let may_hide = |id: u32| {
         let primitive = &scene.primitives[id as usize];
         let is_itself = id == patch.primitive && primitive.is_flat();
@@ -80,10 +80,15 @@ fn among_found(candidates: &mut Candidates) -> KnownLighting {
 }
 
 /// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.
-fn shaft_of(patch: &Patch, light: &PreparedLight, ways: &LightWays) -> Option<Shaft> {
+fn shaft_of(
+    candidates: &Candidates,
+    patch: &Patch,
+    light: &PreparedLight,
+    ways: &LightWays,
+) -> Option<Shaft> {
     match light {
-        PreparedLight::Point { position, .. } => Shaft::around(&position.lift(), &-ways.towards, 1.0),
-        PreparedLight::Directional { .. } => Shaft::around(&patch.point, &ways.towards, f64::INFINITY),
+        PreparedLight::Point { position, .. } => candidates.shaft(&position.lift(), &-ways.towards, 1.0),
+        PreparedLight::Directional { .. } => candidates.shaft(&patch.point, &ways.towards, f64::INFINITY),
     }
 }
 

@@ -4,7 +4,7 @@
 //! all rays certainly meet before any other possible hit is the first one, for the predicates enclose what tracing any
 //! of the rays computes.
 
-use brt_geometry::{Hit, Mask, RayBlock, Real, Shaft, Taylor};
+use brt_geometry::{Hit, Mask, RayBlock, Real, Taylor};
 
 use super::MOST_CLASSIFIED;
 use crate::methods::certified::candidates::Candidates;
@@ -25,7 +25,7 @@ pub(in crate::methods::certified) fn first_seen(
         KnownSight::Among(list) => Some(list),
         KnownSight::Unknown => None,
     };
-    let Some(shaft) = Shaft::around(&block.ray.origin, &block.ray.direction, f64::INFINITY) else {
+    let Some(shaft) = candidates.shaft(&block.ray.origin, &block.ray.direction, f64::INFINITY) else {
         return known;
     };
     let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
