@@ -59,9 +59,9 @@ pub enum Compression {
     /// Least time.
     #[default]
     Fast,
-    /// Up to a tenth smaller than `Fast` with 8 bits, two fifths with 16, for up to twice the time.
+    /// Up to a sixth smaller than `Fast` with 8 bits, two fifths with 16, for up to twice the time.
     Balanced,
-    /// A fifth to three fifths smaller than `Fast`, for four to six times the time.
+    /// A fifth to three fifths smaller than `Fast`, for three to six times the time.
     Small,
 }
 

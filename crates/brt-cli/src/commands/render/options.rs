@@ -169,9 +169,9 @@ impl MethodName {
 pub(crate) enum CompressionName {
     /// Least time
     Fast,
-    /// Up to a tenth smaller with 8 bits, two fifths with 16, up to twice the time
+    /// Up to a sixth smaller with 8 bits, two fifths with 16, up to twice the time
     Balanced,
-    /// A fifth to three fifths smaller, four to six times the time
+    /// A fifth to three fifths smaller, three to six times the time
     Small,
 }
 
