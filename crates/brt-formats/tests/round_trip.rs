@@ -178,7 +178,7 @@ fn mesh() -> impl Strategy<Value = Shape> {
                 let positions = points.iter().map(|(p, ..)| *p).collect();
                 let normals = if smooth { points.iter().map(|(_, n, _)| *n).collect() } else { Vec::new() };
                 let colors = if colored { points.iter().map(|(.., c)| *c).collect() } else { Vec::new() };
-                Shape::from(Mesh { positions, normals, colors, triangles })
+                Shape::from(Mesh { positions, normals, colors, triangles, ..Mesh::default() })
             })
         },
     )

@@ -3,10 +3,12 @@
 use brt_geometry::{Affine, Vec3, polygon_plane};
 use thiserror::Error;
 
-use crate::{Camera, Light, Material, Object, Projection, Scene, Shape};
+use crate::{Camera, Light, Object, Projection, Scene, Shape};
 
+mod material;
 mod mesh;
 
+use material::check_material;
 use mesh::check_mesh;
 
 /// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
@@ -171,38 +173,6 @@ fn check_object(object: &Object, found: Found) {
     }
 }
 
-fn check_material(m: &Material, found: Found) {
-    let factors = [
-        ("ambient", m.ambient),
-        ("diffuse", m.diffuse),
-        ("specular", m.specular),
-        ("exponent", m.exponent),
-        ("reflection", m.reflection),
-        ("transmission", m.transmission),
-    ];
-    for (field, value) in factors {
-        if !(0.0..=GREATEST_COORDINATE).contains(&value) {
-            found(field, fault(format!("`{field}` is {value}"), "a finite number of at least 0"));
-        }
-    }
-    check_length("index_of_refraction", m.index_of_refraction, found);
-    if !m.color.is_finite() {
-        found("color", fault("a channel is not a finite number", "three finite numbers"));
-    }
-    if !m.emission.is_finite() {
-        found("emission", fault("a channel is not a finite number", "three finite numbers"));
-    }
-    if !(0.0..=1.0).contains(&m.opacity) {
-        found("opacity", fault(format!("`opacity` is {}", m.opacity), "a number from 0 to 1"));
-    }
-    if let Some(checker) = &m.checker {
-        check_length("checker", checker.size, found);
-        if !checker.color.is_finite() {
-            found("checker", fault("a channel is not a finite number", "three finite numbers"));
-        }
-    }
-}
-
 fn check_shape(shape: &Shape, found: Found) {
     match shape {
         Shape::Sphere { center, radius } => {
@@ -297,7 +267,11 @@ fn check_length(field: &'static str, length: f64, found: Found) {
 }
 
 fn in_range(p: Vec3) -> bool {
-    [p.x, p.y, p.z].iter().all(|c| c.abs() <= GREATEST_COORDINATE)
+    [p.x, p.y, p.z].iter().all(|&c| is_in_range(c))
+}
+
+fn is_in_range(coordinate: f64) -> bool {
+    coordinate.abs() <= GREATEST_COORDINATE
 }
 
 const FINITE: &str = "finite numbers up to 1e30";

@@ -13,6 +13,7 @@ mod material;
 mod object;
 pub mod procedural;
 mod report;
+mod texture;
 
 pub use camera::{Camera, Projection};
 pub use check::{Place, Problem};
@@ -20,6 +21,7 @@ pub use light::Light;
 pub use material::{Axis, Checker, Highlight, Material};
 pub use object::{Mesh, Object, Shape};
 pub use report::{Diagnostic, Report, Severity};
+pub use texture::{Texels, Texture, TextureAlpha, TextureFilter, Wrap};
 
 use brt_geometry::Vec3;
 use brt_image::Rgb;

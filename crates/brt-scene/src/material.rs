@@ -7,6 +7,8 @@
 
 use brt_image::Rgb;
 
+use crate::Texture;
+
 /// A material, named by objects.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -21,6 +23,8 @@ pub struct Material {
     pub opacity: f64,
     /// Second colour in a chequered pattern.
     pub checker: Option<Checker>,
+    /// A picture that the colour is multiplied with.
+    pub texture: Option<Texture>,
     /// Share of the colour seen without any light, ≥ 0.
     pub ambient: f64,
     /// Lambert's factor, ≥ 0.
@@ -50,6 +54,7 @@ impl Material {
             emission: Rgb::BLACK,
             opacity: 1.0,
             checker: None,
+            texture: None,
             ambient: 0.1,
             diffuse: 0.8,
             specular: 0.0,

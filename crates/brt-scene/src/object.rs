@@ -112,6 +112,8 @@ pub struct Mesh {
     /// A colour per point, linear RGB, that the material's colour is multiplied with; interpolated over triangles.
     /// Empty: none.
     pub colors: Vec<Rgb>,
+    /// Where each point lies in the picture of the material's [texture](crate::Texture), or empty.
+    pub texcoords: Vec<[f64; 2]>,
     /// Three indices a triangle, counter-clockwise seen from its front.
     pub triangles: Vec<[u32; 3]>,
 }

@@ -125,8 +125,8 @@ impl Geometry {
 
     /// As a shape of the scene.
     pub(crate) fn into_shape(self) -> Shape {
-        let Self { positions, normals, colors, triangles, .. } = self;
-        Mesh { positions, normals, colors, triangles }.into()
+        let Self { positions, normals, colors, texcoords, triangles } = self;
+        Mesh { positions, normals, colors, texcoords, triangles }.into()
     }
 }
 

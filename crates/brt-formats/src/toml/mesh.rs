@@ -49,7 +49,13 @@ pub(super) fn read_mesh(fields: &mut Fields) -> Option<Mesh> {
     let normals = fields.or("normals", Vec::new(), vectors);
     let colors = fields.or("colors", Vec::new(), colors);
     let triangles = fields.required("triangles", triangles);
-    Some(Mesh { positions: positions?, normals: normals?, colors: colors?, triangles: triangles? })
+    Some(Mesh {
+        positions: positions?,
+        normals: normals?,
+        colors: colors?,
+        triangles: triangles?,
+        texcoords: Vec::new(),
+    })
 }
 
 /// The mesh of an object: its own, or the one that its field `mesh` names.

@@ -8,7 +8,7 @@ use brt_image::Rgb;
 use brt_scene::{Object, Scene, Shape};
 
 use super::mesh::flatten_mesh;
-use crate::products::{NO_COLORS, NO_NORMALS, PrimitiveInfo, Surface};
+use crate::products::{NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PrimitiveInfo, Surface};
 
 /// Primitives of a scene and what is known of them.
 #[derive(Default)]
@@ -18,6 +18,7 @@ pub(super) struct Flattened {
     pub(super) surfaces: Vec<Surface>,
     pub(super) normals: Vec<[Vec3; 3]>,
     pub(super) colors: Vec<[Rgb; 3]>,
+    pub(super) texcoords: Vec<[[f64; 2]; 3]>,
 }
 
 /// What is interpolated between the corners of a triangle.
@@ -25,6 +26,7 @@ pub(super) struct Flattened {
 pub(super) struct Corners {
     pub(super) normals: Option<[Vec3; 3]>,
     pub(super) colors: Option<[Rgb; 3]>,
+    pub(super) texcoords: Option<[[f64; 2]; 3]>,
 }
 
 /// Adds an item, if there is one; returns its index.
@@ -39,6 +41,7 @@ pub(super) struct Owner {
     object: usize,
     material: u32,
     casts_shadow: bool,
+    pub(super) has_texture: bool,
 }
 
 impl Flattened {
@@ -46,8 +49,12 @@ impl Flattened {
         let mut flat = Self::default();
         for (index, object) in scene.objects.iter().enumerate() {
             let material = &scene.materials[object.material.0 as usize];
-            let owner =
-                Owner { object: index, material: object.material.0, casts_shadow: material.casts_shadow };
+            let owner = Owner {
+                object: index,
+                material: object.material.0,
+                casts_shadow: material.casts_shadow,
+                has_texture: material.texture.is_some(),
+            };
             flat.add_object(object, owner);
         }
         flat
@@ -63,12 +70,14 @@ impl Flattened {
     pub(super) fn add(&mut self, primitive: Primitive, owner: Owner, surface: u32, corners: Corners) {
         let normals = keep(&mut self.normals, corners.normals).unwrap_or(NO_NORMALS);
         let colors = keep(&mut self.colors, corners.colors).unwrap_or(NO_COLORS);
+        let texcoords = keep(&mut self.texcoords, corners.texcoords).unwrap_or(NO_TEXCOORDS);
         self.primitives.push(primitive);
         self.infos.push(PrimitiveInfo {
             surface,
             material: owner.material,
             normals,
             colors,
+            texcoords,
             casts_shadow: owner.casts_shadow,
         });
     }

@@ -15,6 +15,7 @@ pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut F
         mesh.triangles.iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
     let mut groups = Groups::new(solid.len());
     let (is_smooth, has_colors) = (!mesh.normals.is_empty(), !mesh.colors.is_empty());
+    let is_textured = owner.has_texture && !mesh.texcoords.is_empty();
     join_neighbours(&solid, is_smooth, &mut groups);
 
     let mut surface_of_group: HashMap<usize, u32> = HashMap::new();
@@ -25,6 +26,7 @@ pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut F
         let corners = Corners {
             normals: is_smooth.then(|| indices.map(normal)),
             colors: has_colors.then(|| indices.map(|i| mesh.colors[i as usize])),
+            texcoords: is_textured.then(|| indices.map(|i| mesh.texcoords[i as usize])),
         };
         flat.add(Primitive::Triangle(*triangle), owner, surface, corners);
     }

@@ -9,7 +9,7 @@ pub use camera::PreparedCamera;
 use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
 use brt_scene::{Light, Material, Scene};
 
-use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene, PrimitiveInfo};
+use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo};
 use crate::settings::Accelerator;
 use flatten::Flattened;
 
@@ -18,9 +18,9 @@ const FEW: usize = 3;
 
 /// Flattens a scene and builds an index over its primitives. The scene must have passed [`Scene::check`].
 pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
-    let Flattened { primitives, infos, surfaces, normals, colors } = Flattened::of(scene);
-    let dims =
-        |info: &PrimitiveInfo| info.casts_shadow && scene.materials[info.material as usize].opacity < 1.0;
+    let Flattened { primitives, infos, surfaces, normals, colors, texcoords } = Flattened::of(scene);
+    let materials: Vec<_> = scene.materials.iter().map(prepare_material).collect();
+    let dims = |info: &PrimitiveInfo| info.casts_shadow && materials[info.material as usize].dims();
     let has_dimmers = infos.iter().any(dims);
     let mut boxes = Vec::with_capacity(primitives.len());
     let mut outside = Vec::new();
@@ -50,10 +50,11 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
         normals,
         outside,
         lights: scene.lights.iter().map(prepare_light).collect(),
-        materials: scene.materials.iter().map(prepare_material).collect(),
+        materials,
         background: scene.background,
         has_dimmers,
         colors,
+        texcoords,
     }
 }
 
@@ -80,6 +81,7 @@ pub(crate) fn prepare_material(m: &Material) -> PreparedMaterial {
         emission: m.emission,
         opacity: m.opacity,
         checker: m.checker.clone(),
+        texture: m.texture.as_ref().map(PreparedTexture::new),
         ambient: m.ambient,
         diffuse: m.diffuse,
         specular: m.specular,

@@ -8,6 +8,7 @@ mod history;
 mod perspective_image;
 mod prepared;
 mod stats;
+mod texture;
 mod tile;
 
 pub(crate) use area::Area;
@@ -17,9 +18,12 @@ pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;
 pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
-pub(crate) use prepared::{Beam, NO_COLORS, NO_NORMALS, PreparedLight, PreparedMaterial, PrimitiveInfo};
+pub(crate) use prepared::{
+    Beam, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedLight, PreparedMaterial, PrimitiveInfo,
+};
 pub use prepared::{PreparedScene, Surface};
 pub use stats::{BlockCounts, PixelCounts, RayCounts, Seconds, Stats};
 pub(crate) use stats::{Counters, StageClock};
+pub(crate) use texture::{PreparedTexture, TextureSample};
 pub use tile::SampleState;
 pub(crate) use tile::{Tile, TileSamples};

@@ -4,6 +4,8 @@ use brt_geometry::{Exponent, Primitive, SpatialIndex, Vec3};
 use brt_image::Rgb;
 use brt_scene::{Checker, Highlight};
 
+use super::PreparedTexture;
+
 /// A scene flattened to primitives, with an index over them.
 #[derive(Clone, Debug)]
 pub struct PreparedScene {
@@ -26,6 +28,8 @@ pub struct PreparedScene {
     pub(crate) has_dimmers: bool,
     /// Colours of the corners of triangles.
     pub(crate) colors: Vec<[Rgb; 3]>,
+    /// Texture coordinates of the corners of triangles.
+    pub(crate) texcoords: Vec<[[f64; 2]; 3]>,
 }
 
 impl PreparedScene {
@@ -36,7 +40,7 @@ impl PreparedScene {
 
     /// Does a primitive, if it casts shadows, only dim the lights behind it?
     pub(crate) fn dims(&self, id: u32) -> bool {
-        self.materials[self.infos[id as usize].material as usize].opacity < 1.0
+        self.materials[self.infos[id as usize].material as usize].dims()
     }
 
     /// All surfaces; ray histories and surface layers name them by position.
@@ -59,6 +63,9 @@ pub(crate) const NO_NORMALS: u32 = u32::MAX;
 /// No colours of corners.
 pub(crate) const NO_COLORS: u32 = u32::MAX;
 
+/// No texture coordinates of corners, or no texture.
+pub(crate) const NO_TEXCOORDS: u32 = u32::MAX;
+
 /// What else there is to know of a primitive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PrimitiveInfo {
@@ -68,6 +75,8 @@ pub(crate) struct PrimitiveInfo {
     pub(crate) normals: u32,
     /// Index into [`PreparedScene::colors`] or [`NO_COLORS`].
     pub(crate) colors: u32,
+    /// Index into [`PreparedScene::texcoords`] or [`NO_TEXCOORDS`].
+    pub(crate) texcoords: u32,
     /// Does it hide lights?
     pub(crate) casts_shadow: bool,
 }
@@ -76,7 +85,7 @@ impl PrimitiveInfo {
     /// Is nothing interpolated between corners? Bounds and lanes know nothing else.
     #[inline(always)]
     pub(crate) fn is_plain(&self) -> bool {
-        self.normals == NO_NORMALS && self.colors == NO_COLORS
+        self.normals == NO_NORMALS && self.colors == NO_COLORS && self.texcoords == NO_TEXCOORDS
     }
 }
 
@@ -111,6 +120,7 @@ pub(crate) struct Beam {
 pub(crate) struct PreparedMaterial {
     pub(crate) color: Rgb,
     pub(crate) checker: Option<Checker>,
+    pub(crate) texture: Option<PreparedTexture>,
     pub(crate) emission: Rgb,
     pub(crate) opacity: f64,
     pub(crate) ambient: f64,
@@ -127,7 +137,13 @@ impl PreparedMaterial {
     /// Does no ray go on behind the surface? Bounds and lanes know nothing else.
     #[inline(always)]
     pub(crate) fn ends_view(&self) -> bool {
-        self.transmission == 0.0 && self.opacity == 1.0
+        self.transmission == 0.0 && !self.dims()
+    }
+
+    /// May it let some of what lies straight behind it through?
+    #[inline(always)]
+    pub(crate) fn dims(&self) -> bool {
+        self.opacity < 1.0 || self.texture.as_ref().is_some_and(PreparedTexture::has_holes)
     }
 
     /// Does a ray end here?

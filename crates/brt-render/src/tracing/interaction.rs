@@ -4,7 +4,9 @@ use brt_geometry::{Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
 use brt_scene::Axis;
 
-use crate::products::{NO_COLORS, NO_NORMALS, PreparedMaterial, PreparedScene, PrimitiveInfo};
+use crate::products::{
+    NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PreparedScene, PrimitiveInfo, TextureSample,
+};
 
 /// A point on a surface, seen along a ray.
 pub(crate) struct Interaction<'a> {
@@ -22,7 +24,9 @@ pub(crate) struct Interaction<'a> {
     pub(crate) material: &'a PreparedMaterial,
     /// Colour of the body here.
     pub(crate) body: Rgb,
-    /// The square of a chequered pattern, where there is one.
+    /// The share of the surface that is there.
+    pub(crate) opacity: f64,
+    /// The square of a chequered pattern or the texel, where there is one.
     pub(crate) cell: Option<u64>,
 }
 
@@ -36,24 +40,20 @@ impl<'a> Interaction<'a> {
         let outward = shape.normal_at(point);
         let from_behind = outward.dot(ray.direction) > 0.0;
         let turn = |n: Vec3| if from_behind { -n } else { n };
-        let (mut smooth, mut tint) = (outward, None);
-        if let (Primitive::Triangle(triangle), false) = (shape, info.is_plain()) {
-            let [wa, wb, wc] = triangle.weights(ray);
-            if info.normals != NO_NORMALS {
-                let [a, b, c] = scene.normals[info.normals as usize];
-                // Opposite normals cancel: where nothing is left the face's own is taken.
-                let mean = a * wa + b * wb + c * wc;
-                smooth = if mean.length_squared() > 0.0 { mean.normalize() } else { outward };
-            }
-            if info.colors != NO_COLORS {
-                let [a, b, c] = scene.colors[info.colors as usize];
-                tint = Some(a * wa + b * wb + c * wc);
-            }
-        }
+        let between = Between::corners(scene, shape, info, material, ray);
+        let smooth = between.normal.unwrap_or(outward);
         // Normals of files may point to the other side than the order of the corners says.
         let agrees = smooth.dot(outward) >= 0.0;
-        let (body, cell) = body_at(material, point);
-        let body = tint.map_or(body, |tint| body * tint);
+        let (mut body, mut cell) = body_at(material, point);
+        if let Some(tint) = between.tint {
+            body = body * tint;
+        }
+        let mut opacity = material.opacity;
+        if let Some(texture) = between.texture {
+            body = body * texture.color;
+            opacity *= texture.opacity;
+            cell = Some(cell.unwrap_or_default().rotate_left(1) ^ texture.texel);
+        }
         Self {
             primitive,
             point,
@@ -64,9 +64,72 @@ impl<'a> Interaction<'a> {
             info,
             material,
             body,
+            opacity,
             cell,
         }
     }
+}
+
+/// What is interpolated between the corners of a triangle.
+#[derive(Default)]
+struct Between {
+    /// Unit normal for shading, on any side; where opposite ones cancel there is none.
+    normal: Option<Vec3>,
+    /// The colour of points.
+    tint: Option<Rgb>,
+    texture: Option<TextureSample>,
+}
+
+impl Between {
+    fn corners(
+        scene: &PreparedScene,
+        shape: &Primitive,
+        info: &PrimitiveInfo,
+        material: &PreparedMaterial,
+        ray: &Ray,
+    ) -> Self {
+        let (Primitive::Triangle(triangle), false) = (shape, info.is_plain()) else {
+            return Self::default();
+        };
+        let weights @ [wa, wb, wc] = triangle.weights(ray);
+        let normal = (info.normals != NO_NORMALS).then(|| {
+            let [a, b, c] = scene.normals[info.normals as usize];
+            a * wa + b * wb + c * wc
+        });
+        let tint = (info.colors != NO_COLORS).then(|| {
+            let [a, b, c] = scene.colors[info.colors as usize];
+            a * wa + b * wb + c * wc
+        });
+        Self {
+            normal: normal.filter(|n| n.length_squared() > 0.0).map(Vec3::normalize),
+            tint,
+            texture: texture_at(scene, info, material, weights),
+        }
+    }
+}
+
+fn texture_at(
+    scene: &PreparedScene,
+    info: &PrimitiveInfo,
+    material: &PreparedMaterial,
+    [wa, wb, wc]: [f64; 3],
+) -> Option<TextureSample> {
+    let texture = material.texture.as_ref().filter(|_| info.texcoords != NO_TEXCOORDS)?;
+    let [a, b, c] = scene.texcoords[info.texcoords as usize];
+    Some(texture.sample(std::array::from_fn(|i| a[i] * wa + b[i] * wb + c[i] * wc)))
+}
+
+/// The share of a primitive that is there where a ray meets it.
+pub(super) fn opacity_at(scene: &PreparedScene, ray: &Ray, primitive: u32) -> f64 {
+    let info = &scene.infos[primitive as usize];
+    let material = &scene.materials[info.material as usize];
+    let texture = match &scene.primitives[primitive as usize] {
+        Primitive::Triangle(triangle) if info.texcoords != NO_TEXCOORDS => {
+            texture_at(scene, info, material, triangle.weights(ray))
+        }
+        _ => None,
+    };
+    material.opacity * texture.map_or(1.0, |texture| texture.opacity)
 }
 
 /// Colour of the body at a point, and the square of the pattern that it lies in.

@@ -5,7 +5,7 @@ use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
-use super::interaction::Interaction;
+use super::interaction::{Interaction, opacity_at};
 use super::search::{FROM_NOWHERE, Met};
 use super::see_through::MOST_CROSSED;
 use crate::products::{PreparedLight, PreparedScene};
@@ -24,7 +24,7 @@ fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, r
             return color + scene.background * share;
         };
         let here = Interaction::at(scene, &ray, met.primitive, met.t);
-        let opacity = here.material.opacity;
+        let opacity = here.opacity;
         color = color + surface_color(scene, &ray, &here, bounces_left, rays_left) * (share * opacity);
         share *= 1.0 - opacity;
         if share == 0.0 || *rays_left == 0 {
@@ -96,8 +96,7 @@ fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interacti
         let (towards, t_max) = light.way_from(point);
         let ray = Ray::new(point, towards);
         let Some(met) = nearest(scene, &ray, from, t_max, casts_shadow) else { return share };
-        let material = scene.infos[met.primitive as usize].material;
-        share *= 1.0 - scene.materials[material as usize].opacity;
+        share *= 1.0 - opacity_at(scene, &ray, met.primitive);
         if share == 0.0 {
             return 0.0;
         }

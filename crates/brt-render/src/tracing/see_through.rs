@@ -8,7 +8,7 @@ use brt_geometry::Ray;
 use brt_image::Rgb;
 
 use super::guide::Unguided;
-use super::interaction::Interaction;
+use super::interaction::{Interaction, opacity_at};
 use super::tracer::Tracer;
 use crate::products::{NOTHING, PreparedLight, Step};
 use crate::settings::HistoryKind;
@@ -26,8 +26,8 @@ impl Tracer<'_> {
         bounces_left: u32,
         backdrop: Rgb,
     ) -> Rgb {
-        let mut color = front * here.material.opacity;
-        let mut share = 1.0 - here.material.opacity;
+        let mut color = front * here.opacity;
+        let mut share = 1.0 - here.opacity;
         let (mut point, mut from) = (here.point, here.primitive);
         while share > 0.0 && self.may_follow() {
             self.counters.rays.refracted += 1;
@@ -38,8 +38,8 @@ impl Tracer<'_> {
             };
             let here = Interaction::at(self.scene, &ray, met.primitive, met.t);
             let layer = self.surface_color(&ray, &here, bounces_left, Unguided);
-            color = color + layer * (share * here.material.opacity);
-            share *= 1.0 - here.material.opacity;
+            color = color + layer * (share * here.opacity);
+            share *= 1.0 - here.opacity;
             (point, from) = (here.point, met.primitive);
         }
         color
@@ -54,12 +54,12 @@ impl Tracer<'_> {
             let ray = Ray::new(point, towards);
             self.counters.rays.shadow += 1;
             let Some(met) = self.search.shadower(&ray, from, t_max) else { return Ok(share) };
-            let info = &self.scene.infos[met.primitive as usize];
-            share *= 1.0 - self.scene.materials[info.material as usize].opacity;
+            let surface = self.scene.infos[met.primitive as usize].surface;
+            share *= 1.0 - opacity_at(self.scene, &ray, met.primitive);
             if share == 0.0 {
-                return Err(info.surface);
+                return Err(surface);
             }
-            self.history.push(Step::Crossed(info.surface));
+            self.history.push(Step::Crossed(surface));
             (point, from) = (ray.at(met.t), met.primitive);
         }
         Err(NOTHING)

@@ -93,7 +93,7 @@ impl<'a> Tracer<'a> {
         };
         let here = Interaction::at(self.scene, ray, met.primitive, met.t);
         let color = self.surface_color(ray, &here, bounces_left, guide);
-        if here.material.opacity == 1.0 {
+        if here.opacity == 1.0 {
             return color;
         }
         self.with_what_is_behind(color, ray, &here, bounces_left, backdrop)

@@ -1,6 +1,6 @@
 //! Is a mesh fit to be rendered?
 
-use super::{FINITE, Found, fault, in_range};
+use super::{FINITE, Found, fault, in_range, is_in_range};
 use crate::Mesh;
 
 pub(super) fn check_mesh(mesh: &Mesh, found: Found) {
@@ -17,6 +17,14 @@ pub(super) fn check_mesh(mesh: &Mesh, found: Found) {
     }
     if mesh.colors.iter().any(|c| !c.is_finite()) {
         found("colors", fault("a channel is not a finite number", "three finite numbers"));
+    }
+    if !mesh.texcoords.is_empty() && mesh.texcoords.len() != mesh.positions.len() {
+        let message =
+            format!("{} texture coordinates for {} positions", mesh.texcoords.len(), mesh.positions.len());
+        found("texcoords", fault(message, "a pair per position, or none"));
+    }
+    if mesh.texcoords.iter().flatten().any(|&c| !is_in_range(c)) {
+        found("texcoords", fault("a coordinate is not finite or too large", FINITE));
     }
     if let Some(i) = mesh.normals.iter().position(|n| n.try_normalize().is_none()) {
         found("normals", fault(format!("normal {i} has no direction"), "three finite numbers, not all 0"));

@@ -78,8 +78,8 @@ fn star_polygon() -> impl Strategy<Value = Shape> {
 
 /// A bumpy square of triangles, smooth or flat, with or without colours of its points, with some triangles that have no area.
 fn height_field() -> impl Strategy<Value = Shape> {
-    (point(2.5), direction(), 1_u32..5, prop::collection::vec(-0.4..0.4, 25), any::<[bool; 2]>()).prop_map(
-        |(center, normal, cells, heights, [is_smooth, is_colored])| {
+    (point(2.5), direction(), 1_u32..5, prop::collection::vec(-0.4..0.4, 25), any::<[bool; 3]>()).prop_map(
+        |(center, normal, cells, heights, [is_smooth, is_colored, is_textured])| {
             let up = normal.try_normalize().unwrap_or_default();
             let (u, v) = up.tangents();
             let side = cells + 1;
@@ -101,7 +101,12 @@ fn height_field() -> impl Strategy<Value = Shape> {
             triangles.push([0, 1, 0]);
             let color = |i: u32| rgb(0.5 + heights[i as usize], 0.5 - heights[i as usize], 0.7);
             let colors = if is_colored { (0..side * side).map(color).collect() } else { Vec::new() };
-            Shape::from(Mesh { positions, normals, colors, triangles })
+            let texcoords = if is_textured {
+                (0..side * side).map(|i| [f64::from(i % side) * 0.4, heights[i as usize]]).collect()
+            } else {
+                Vec::new()
+            };
+            Shape::from(Mesh { positions, normals, colors, texcoords, triangles })
         },
     )
 }
