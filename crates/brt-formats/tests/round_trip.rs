@@ -146,6 +146,7 @@ fn material(name: String) -> impl Strategy<Value = Material> {
         move |(color, checker, f, highlight, casts_shadow, emission, opacity)| Material {
             emission,
             opacity,
+            texture: None,
             name: name.clone(),
             color: rgb(-color.r, color.g, color.b),
             checker,
