@@ -5,9 +5,15 @@ use crate::{Aabb, BOX_MARGIN, Bvh, COORDINATE_ROUNDING, Primitive, Real, Taylor,
 /// A convex region that holds all rays of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct Shaft {
+    /// Two pairs of sides, what lies behind the rays' starts, and what lies beyond their ends if they have ends.
     faces: [HalfSpace; 6],
     count: usize,
+    /// How far the faces were moved outward.
+    margin: f64,
 }
+
+/// Which face lies behind the starts.
+const BEHIND: usize = 4;
 
 /// All points p with `normal · p <= offset`.
 #[derive(Clone, Copy, Debug, Default)]
@@ -66,7 +72,7 @@ impl Shaft {
 
     /// No half-space: everything.
     pub(crate) fn empty() -> Self {
-        Self { faces: [HalfSpace::default(); 6], count: 0 }
+        Self { faces: [HalfSpace::default(); 6], count: 0, margin: 0.0 }
     }
 
     /// Adds a half-space; its normal times the origins has terms as large as `reach`.
@@ -86,10 +92,21 @@ impl Shaft {
 
     /// With all faces moved outward by this distance.
     pub(crate) fn widened(mut self, distance: f64) -> Option<Self> {
+        self.margin += distance;
         for face in &mut self.faces[..self.count] {
             face.offset += distance * face.normal.length();
         }
         self.faces().iter().all(|face| face.offset.is_finite()).then_some(self)
+    }
+
+    /// The direction that all rays have a share of: a unit vector.
+    pub fn axis(&self) -> Vec3 {
+        -self.faces[BEHIND].normal
+    }
+
+    /// How far a point may be beside where it is exactly.
+    pub(crate) fn margin(&self) -> f64 {
+        self.margin
     }
 
     pub(crate) fn faces(&self) -> &[HalfSpace] {

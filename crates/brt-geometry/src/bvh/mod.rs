@@ -42,6 +42,23 @@ struct Child {
     count: u32,
 }
 
+/// Children on their way to be visited, the next one last, with the distance where each begins.
+type Open = Vec<(Child, f32)>;
+
+/// Adds the children of these bits, the nearest last.
+#[inline(always)]
+fn push_sorted(open: &mut Open, node: &Node, touched: u32, near: [f32; 4]) {
+    let start = open.len();
+    for lane in (0..4).filter(|lane| touched >> lane & 1 == 1) {
+        let mut at = open.len();
+        open.push((node.child[lane], near[lane]));
+        while at > start && open[at - 1].1 < near[lane] {
+            open.swap(at - 1, at);
+            at -= 1;
+        }
+    }
+}
+
 impl Bvh {
     /// Middle of all boxes, and no less than the length of their longest side.
     pub(crate) fn extent(&self) -> (Vec3, f64) {

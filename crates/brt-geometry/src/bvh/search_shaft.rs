@@ -1,8 +1,10 @@
 //! Which boxes does a shaft touch?
 
+use std::ops::ControlFlow;
+
 use wide::f32x4;
 
-use super::{Bvh, Child, Node};
+use super::{Bvh, Child, Node, Traversal, push_sorted};
 use crate::{Shaft, shaft::HalfSpace};
 
 /// Roundings of a face's normal, of its offset and of three products lie between the exact side and ours.
@@ -31,6 +33,50 @@ impl Bvh {
             open.extend((0..4).filter(|lane| touched >> lane & 1 == 1).map(|lane| node.child[lane]));
         }
         true
+    }
+
+    /// Visits items whose boxes the shaft may touch, near ones first.
+    ///
+    /// `visit` gets an item and says whether to go on: with all that begins no farther than this, measured along the
+    /// shaft's [axis](Shaft::axis) from the scene's origin.
+    pub fn touched_in_order(
+        &self,
+        shaft: &Shaft,
+        walk: &mut Traversal,
+        mut visit: impl FnMut(u32) -> ControlFlow<(), f64>,
+    ) {
+        if self.items.is_empty() {
+            return;
+        }
+        let faces: [Option<RoundedFace>; 6] =
+            std::array::from_fn(|i| shaft.faces().get(i).map(|face| self.rounded(face)));
+        let along =
+            |limit: f64| self.rounded(&HalfSpace { normal: shaft.axis(), offset: limit + shaft.margin() });
+        let mut end = along(f64::INFINITY);
+        walk.stack.clear();
+        walk.stack.push((Child { first: 0, count: 0 }, f32::NEG_INFINITY));
+        while let Some((child, near)) = walk.stack.pop() {
+            if near > end.limit() {
+                continue;
+            }
+            if child.count > 0 {
+                for &item in self.leaf(child) {
+                    match visit(item) {
+                        ControlFlow::Break(()) => return,
+                        ControlFlow::Continue(limit) if limit < f64::INFINITY => end = along(limit),
+                        ControlFlow::Continue(_) => {}
+                    }
+                }
+                continue;
+            }
+            walk.nodes_visited += 1;
+            let node = &self.nodes[child.first as usize];
+            let near = end.deepest(node);
+            let inside = near.simd_le(end.offset).to_bitmask();
+            let touched =
+                faces.iter().flatten().fold(inside, |left, face| left & face.touched_children(node));
+            push_sorted(&mut walk.stack, node, touched, near.to_array());
+        }
     }
 
     fn rounded(&self, face: &HalfSpace) -> RoundedFace {
@@ -63,9 +109,18 @@ impl RoundedFace {
     /// Bits of the children that reach into the half-space.
     #[inline(always)]
     fn touched_children(&self, node: &Node) -> u32 {
-        let product = |axis: usize| node.planes[self.far_side[axis]][axis] * self.normal[axis];
-        let deepest = product(0) + product(1) + product(2);
         // Empty children are infinitely far outside; where infinities cancel, NaN is not touched either.
-        deepest.simd_le(self.offset).to_bitmask()
+        self.deepest(node).simd_le(self.offset).to_bitmask()
+    }
+
+    /// How deep inside the children's boxes reach.
+    #[inline(always)]
+    fn deepest(&self, node: &Node) -> f32x4 {
+        let product = |axis: usize| node.planes[self.far_side[axis]][axis] * self.normal[axis];
+        product(0) + product(1) + product(2)
+    }
+
+    fn limit(&self) -> f32 {
+        self.offset.to_array()[0]
     }
 }

@@ -5,13 +5,13 @@
 
 use wide::f32x4;
 
-use super::{Bvh, Child, Node};
+use super::{Bvh, Child, Node, Open, push_sorted};
 use crate::{Ray, Vec3};
 
 /// Working memory of a walk, kept to spare allocations, and its count of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Traversal {
-    stack: Vec<(Child, f32)>,
+    pub(super) stack: Open,
     /// Nodes visited by all walks so far.
     pub nodes_visited: u64,
 }
@@ -75,7 +75,7 @@ impl Bvh {
     }
 
     #[inline(always)]
-    fn leaf(&self, child: Child) -> &[u32] {
+    pub(super) fn leaf(&self, child: Child) -> &[u32] {
         &self.items[child.first as usize..(child.first + child.count) as usize]
     }
 }
@@ -125,7 +125,7 @@ impl RoundedRay {
 
     /// Puts the children that are touched before `limit` on the stack, the nearest last.
     #[inline(always)]
-    fn push_children(&self, node: &Node, limit: f32, stack: &mut Vec<(Child, f32)>) {
+    fn push_children(&self, node: &Node, limit: f32, stack: &mut Open) {
         let (mut near, mut far) = (f32x4::ZERO, f32x4::splat(limit));
         for axis in 0..3 {
             let side = self.near_side[axis];
@@ -136,15 +136,6 @@ impl RoundedRay {
             far = (leave * inverse * f32x4::splat(1.0 + SLACK)).fast_min(far);
         }
         let touched = near.simd_le(far).to_bitmask();
-        let near = near.to_array();
-        let start = stack.len();
-        for lane in (0..4).filter(|lane| touched >> lane & 1 == 1) {
-            let mut at = stack.len();
-            stack.push((node.child[lane], near[lane]));
-            while at > start && stack[at - 1].1 < near[lane] {
-                stack.swap(at - 1, at);
-                at -= 1;
-            }
-        }
+        push_sorted(stack, node, touched, near.to_array());
     }
 }

@@ -4,11 +4,13 @@ use brt_geometry::{LANES, LaneRays, Lanes, Ray, SimdLevel};
 
 use crate::picture::Layer;
 use crate::prepare::PreparedCamera;
-use crate::products::{Block, Counters, PerspectiveImage, SampleState, StageClock, Tile, TileSamples};
+use crate::products::{
+    Block, Counters, NOTHING, PerspectiveImage, SampleState, StageClock, Tile, TileSamples,
+};
 use crate::render::Job;
 use crate::run::RayOrder;
 use crate::settings::Settings;
-use crate::tracing::{Bundle, Colors, Guide, NO_COLORS, Sight, Tracer, Unguided, color_at};
+use crate::tracing::{Bundle, Colors, Guide, MOST_RAYS, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
 /// A thread's tracer and buffers, reused from tile to tile.
 pub(crate) struct TileWorker<'a> {
@@ -85,7 +87,7 @@ impl<'a> TileWorker<'a> {
         self.samples.state[index] = SampleState::Traced;
     }
 
-    /// Traces up to [`MOST_RAYS`](crate::tracing::MOST_RAYS) samples together, by column and row of the tile; gives each
+    /// Traces up to [`MOST_RAYS`] samples together, by column and row of the tile; gives each
     /// its colour and this state.
     pub(super) fn trace_samples(
         &mut self,
@@ -95,7 +97,25 @@ impl<'a> TileWorker<'a> {
         guide: impl Guide,
         state: SampleState,
     ) {
-        let Self { camera, bundle, colors, .. } = self;
+        self.aim(tile, samples);
+        self.tracer.trace_bundle(&self.bundle, first, guide, &mut self.colors);
+        self.keep_colors(tile, samples, state);
+    }
+
+    /// The same for samples whose first hits the perspective image shows.
+    pub(super) fn trace_shown_samples(&mut self, tile: &Tile, samples: &[[u32; 2]]) {
+        self.aim(tile, samples);
+        let mut shown = [NOTHING; MOST_RAYS];
+        for (shown, &[x, y]) in shown.iter_mut().zip(samples) {
+            *shown = self.perspective.primitive[tile.index(x, y)];
+        }
+        self.tracer.trace_known_bundle(&self.bundle, &shown[..samples.len()], &mut self.colors);
+        self.keep_colors(tile, samples, SampleState::Traced);
+    }
+
+    /// Makes the rays of samples.
+    fn aim(&mut self, tile: &Tile, samples: &[[u32; 2]]) {
+        let Self { camera, bundle, .. } = self;
         let last = samples.len() - 1;
         SimdLevel::default().run(
             #[inline(always)]
@@ -113,10 +133,12 @@ impl<'a> TileWorker<'a> {
                 );
             },
         );
-        self.tracer.trace_bundle(bundle, first, guide, colors);
+    }
+
+    fn keep_colors(&mut self, tile: &Tile, samples: &[[u32; 2]], state: SampleState) {
         for (i, &[x, y]) in samples.iter().enumerate() {
             let index = tile.index(x, y);
-            self.samples.color[index] = color_at(colors, i).to_f32();
+            self.samples.color[index] = color_at(&self.colors, i).to_f32();
             self.samples.state[index] = state;
         }
     }

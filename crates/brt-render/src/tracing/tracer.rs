@@ -54,6 +54,7 @@ impl<'a> Tracer<'a> {
     /// Everything counted since the last call.
     pub(crate) fn take_counters(&mut self) -> Counters {
         self.search.move_counts_to(&mut self.counters);
+        self.counters.nodes_visited += self.lookup.take_nodes_visited();
         std::mem::take(&mut self.counters)
     }
 

@@ -12,6 +12,7 @@ mod follow;
 mod known_history;
 mod paint;
 mod regions;
+mod rest;
 
 use brt_geometry::Taylor;
 use brt_image::{Rgb, Transfer};
@@ -66,6 +67,7 @@ pub(crate) fn render_certified(
         method.settle_group(area, group);
     }
     method.lap(|seconds| &mut seconds.select);
+    method.trace_rest();
     let counts = method.follower.counts;
     worker.tracer.counters.certificates += counts;
 }
@@ -98,6 +100,10 @@ impl Certified<'_, '_> {
         if primitive == NOTHING {
             let background = crate::tracing::constant(self.follower.scene.background);
             return self.fill(area, Parts::Regions(group), primitive, &background);
+        }
+        if group.iter().map(|region| region.samples).sum::<u32>() < LEAST_PROVEN {
+            // Left for the end, where it is traced together with its neighbours.
+            return;
         }
         self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));
     }

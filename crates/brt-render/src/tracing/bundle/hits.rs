@@ -1,11 +1,12 @@
 //! What the rays of a bundle meet.
 
-use brt_geometry::{Hit, LANES, Lanes, Real, SimdLevel};
+use brt_geometry::{Hit, LANES, LaneRays, Lanes, Real, Shaft, SimdLevel, Vec3};
 
+use super::lookup::Next;
 use super::{Bundle, PACKETS, places};
 use crate::products::{NOTHING, PreparedScene};
 use crate::tracing::guide::Sight;
-use crate::tracing::search::start;
+use crate::tracing::search::Met;
 use crate::tracing::tracer::Tracer;
 
 /// For each ray what it meets, as a number, so that it is chosen lane by lane like all else, and how far away.
@@ -34,6 +35,11 @@ impl Hits {
         self.primitive[i / LANES].0[i % LANES] as u32
     }
 
+    /// What a ray meets, and where; it must meet something.
+    pub(super) fn met(&self, i: usize) -> Met {
+        Met { primitive: self.primitive(i), t: self.t[i / LANES].0[i % LANES] }
+    }
+
     /// Which rays meet this, by bits.
     pub(super) fn that_meet(&self, primitive: u32, packets: usize) -> u64 {
         let wanted = Lanes::constant(f64::from(primitive));
@@ -57,14 +63,19 @@ impl Hits {
         }
     }
 
+    /// What each ray of these packets meets, as numbers.
+    pub(super) fn primitives(&self, packets: usize) -> &[Lanes] {
+        &self.primitive[..packets]
+    }
+
     /// Tries these primitives; of equally near ones that with the lower id counts, however they are sorted.
     #[inline(always)]
-    fn meet(&mut self, scene: &PreparedScene, rays: &Bundle, from: u32, list: &[u32]) {
+    fn meet(&mut self, scene: &PreparedScene, rays: &Bundle, list: &[u32]) {
         for packet in 0..rays.packets() {
             let ray = rays.packet(packet);
             let (mut nearest, mut met) = (self.t[packet], self.primitive[packet]);
             for &id in list {
-                let hit: Hit<Lanes> = scene.primitives[id as usize].first_hit(&ray, start(id, from));
+                let hit: Hit<Lanes> = rays.starts.first_hit(packet, &ray, &scene.primitives[id as usize], id);
                 let id = Lanes::constant(f64::from(id));
                 let is_nearer = hit.t.lt(nearest) | (hit.t.equals(nearest) & id.lt(met));
                 let is_nearer = hit.found & is_nearer;
@@ -74,45 +85,107 @@ impl Hits {
             (self.t[packet], self.primitive[packet]) = (nearest, met);
         }
     }
+
+    /// Where the last of the rays ends, along an axis that all have a share of.
+    #[inline(always)]
+    fn end_along(&self, rays: &Bundle, axis: Vec3) -> f64 {
+        let mut ends = [FAR; PACKETS];
+        for (packet, end) in ends.iter_mut().enumerate().take(rays.packets()) {
+            let LaneRays { origin, direction } = rays.rays[packet];
+            // Not the dot product of the end: it is no number where the end is infinitely far away.
+            *end = origin.dot(axis.lift()) + self.t[packet] * direction.dot(axis.lift());
+        }
+        ends[..rays.packets()].iter().flat_map(|end| end.0).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Meets what each ray is known to meet.
+    #[inline(always)]
+    fn meet_each(&mut self, scene: &PreparedScene, rays: &Bundle, known: &[u32]) {
+        for packet in 0..rays.packets() {
+            let ray = rays.packet(packet);
+            let here = Lanes::from_fn(|lane| f64::from(known[(packet * LANES + lane).min(rays.count - 1)]));
+            let mut distance = FAR;
+            let mut open = !here.equals(NONE);
+            while let Some(lane) = open.lanes().next() {
+                let id = here.0[lane];
+                let hit = rays.starts.first_hit(packet, &ray, &scene.primitives[id as usize], id as u32);
+                let same = here.equals(Lanes::constant(id));
+                distance = Lanes::select(same, hit.t, distance);
+                open = open & !same;
+            }
+            (self.t[packet], self.primitive[packet]) = (distance, here);
+        }
+    }
 }
 
 impl Tracer<'_> {
-    /// What rays meet that leave a primitive.
-    pub(super) fn find_hits(&mut self, hits: &mut Hits, rays: &Bundle, from: u32, sight: Sight) {
+    /// What rays meet.
+    pub(super) fn find_hits(&mut self, hits: &mut Hits, rays: &Bundle, sight: Sight) {
         hits.clear(rays.packets());
         match sight {
             Sight::Met(NOTHING) => {}
-            Sight::Met(primitive) => self.find_among(hits, rays, from, &[primitive]),
-            Sight::Among(list) => self.find_among(hits, rays, from, list),
-            Sight::Unknown => match self.lookup.sight(self.scene, rays) {
-                Some(list) => {
-                    self.find_among(hits, rays, from, &list);
-                    self.lookup.give_back(list);
+            Sight::Met(primitive) => self.find_among(hits, rays, &[primitive]),
+            Sight::Among(list) => self.find_among(hits, rays, list),
+            Sight::Unknown => {
+                let (scene, mut tests) = (self.scene, 0);
+                let is_complete = self.lookup.sight(scene, rays, |list, shaft| {
+                    tests += list.len();
+                    meet_and_end(hits, scene, rays, list, shaft)
+                });
+                self.search.count_tests((tests * rays.count) as u64);
+                if !is_complete {
+                    hits.clear(rays.packets());
+                    self.search_hits(hits, rays);
                 }
-                None => self.search_hits(hits, rays, from),
-            },
+            }
         }
     }
 
-    fn find_among(&mut self, hits: &mut Hits, rays: &Bundle, from: u32, list: &[u32]) {
-        self.search.count_tests((list.len() * rays.count) as u64);
+    /// The distances at which rays meet what they are known to meet.
+    pub(super) fn find_known(&mut self, hits: &mut Hits, rays: &Bundle, known: &[u32]) {
+        self.search.count_tests(rays.count as u64);
         SimdLevel::default().run(
             #[inline(always)]
-            || hits.meet(self.scene, rays, from, list),
+            || hits.meet_each(self.scene, rays, known),
         );
     }
 
-    fn search_hits(&mut self, hits: &mut Hits, rays: &Bundle, from: u32) {
+    fn find_among(&mut self, hits: &mut Hits, rays: &Bundle, list: &[u32]) {
+        self.search.count_tests((list.len() * rays.count) as u64);
+        SimdLevel::default().run(
+            #[inline(always)]
+            || hits.meet(self.scene, rays, list),
+        );
+    }
+
+    fn search_hits(&mut self, hits: &mut Hits, rays: &Bundle) {
         // Lanes beyond the last are to hold what it meets.
         for i in 0..rays.packets() * LANES {
             if i >= rays.count {
                 let last = rays.count - 1;
                 hits.primitive[i / LANES].0[i % LANES] = hits.primitive[last / LANES].0[last % LANES];
                 hits.t[i / LANES].0[i % LANES] = hits.t[last / LANES].0[last % LANES];
-            } else if let Some(met) = self.search.closest(&rays.ray(i), from) {
+            } else if let Some(met) = self.search.closest(&rays.ray(i), rays.starts.of(i)) {
                 hits.primitive[i / LANES].0[i % LANES] = f64::from(met.primitive);
                 hits.t[i / LANES].0[i % LANES] = met.t;
             }
         }
     }
+}
+
+/// Tries a list, and says how far away other things may still matter.
+fn meet_and_end(
+    hits: &mut Hits,
+    scene: &PreparedScene,
+    rays: &Bundle,
+    list: &[u32],
+    shaft: Option<&Shaft>,
+) -> Next {
+    SimdLevel::default().run(
+        #[inline(always)]
+        || {
+            hits.meet(scene, rays, list);
+            Next::Continue(shaft.map_or(f64::INFINITY, |shaft| hits.end_along(rays, shaft.axis())))
+        },
+    )
 }

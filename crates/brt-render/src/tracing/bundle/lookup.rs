@@ -1,6 +1,8 @@
-//! Which primitives may the rays of a bundle meet? Looked up once for all of them.
+//! Which primitives may the rays of a bundle meet? Looked up once for all of them, by their shaft.
 
-use brt_geometry::{Bvh, LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Vec3};
+use std::ops::ControlFlow;
+
+use brt_geometry::{Bvh, LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Traversal, Vec3};
 
 use super::{Bundle, NOWHERE, PACKETS};
 use crate::products::{PreparedLight, PreparedScene};
@@ -8,84 +10,118 @@ use crate::products::{PreparedLight, PreparedScene};
 /// Fewer rays search by themselves.
 const LEAST_RAYS: usize = 12;
 
-/// Rays that may meet more primitives search by themselves, too.
-const MOST_LISTED: usize = 20;
+/// So many primitives are tried together before it is asked whether more are needed.
+const BATCH: usize = 20;
+
+/// Rays whose shaft touches more than this and a few for each of them search by themselves: they go apart.
+const MOST_TOUCHED: usize = 48;
+const MOST_TOUCHED_PER_RAY: usize = 2;
 
 /// All primitives of scenes with no more are tried by all rays.
 const FEW: usize = 6;
 
-/// Lists of a bundle's candidates, and room for them.
+/// What is to be done after a list was tried: break off, or go on with what begins no farther away along the axis.
+pub(super) type Next = ControlFlow<(), f64>;
+
+/// Go on, wherever things are.
+pub(super) const ANYWHERE: Next = Next::Continue(f64::INFINITY);
+
+/// Working memory of lookups.
 #[derive(Default)]
 pub(in crate::tracing) struct Lookup {
-    spare: Vec<Vec<u32>>,
+    list: Vec<u32>,
+    walk: Traversal,
 }
 
 impl Lookup {
-    /// What the rays may meet; `None` where that is not worth while to know.
-    pub(super) fn sight(&mut self, scene: &PreparedScene, rays: &Bundle) -> Option<Vec<u32>> {
-        self.list(
+    /// Nodes visited since the last call.
+    pub(in crate::tracing) fn take_nodes_visited(&mut self) -> u64 {
+        std::mem::take(&mut self.walk.nodes_visited)
+    }
+
+    /// Hands out lists of what the rays may meet, near things first; returns whether that was all of it.
+    pub(super) fn sight(
+        &mut self,
+        scene: &PreparedScene,
+        rays: &Bundle,
+        try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
+    ) -> bool {
+        self.hand_out(
             scene,
             rays.count,
             #[inline(always)]
             |tree| Shaft::around_rays_in(tree, &rays.rays[..rays.packets()], f64::INFINITY),
             |_| true,
+            try_list,
         )
     }
 
-    /// What may stand between these points and a light.
+    /// The same with what may stand between these points and a light.
     pub(super) fn shadow(
         &mut self,
         scene: &PreparedScene,
         points: &[Vec3<Lanes>; PACKETS],
         count: usize,
         light: &PreparedLight,
-    ) -> Option<Vec<u32>> {
-        self.list(
+        try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
+    ) -> bool {
+        self.hand_out(
             scene,
             count,
             #[inline(always)]
             |tree| light_shaft(tree, points, count, light),
             |id| scene.infos[id as usize].casts_shadow,
+            try_list,
         )
     }
 
-    /// For a list that is needed no longer.
-    pub(super) fn give_back(&mut self, list: Vec<u32>) {
-        self.spare.push(list);
-    }
-
-    fn list(
+    fn hand_out(
         &mut self,
         scene: &PreparedScene,
         count: usize,
         shaft: impl FnOnce(&Bvh) -> Option<Shaft>,
         counts: impl Fn(u32) -> bool,
-    ) -> Option<Vec<u32>> {
-        let mut list = self.spare.pop().unwrap_or_default();
+        mut try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
+    ) -> bool {
+        let Self { list, walk } = self;
         list.clear();
         if scene.primitives.len() <= FEW {
             list.extend((0..scene.primitives.len() as u32).filter(|&id| counts(id)));
-            return Some(list);
+            let _ = try_list(list, None);
+            return true;
         }
-        let is_complete = match &scene.index {
-            SpatialIndex::Bvh(bvh) if count >= LEAST_RAYS => shaft_of(bvh, shaft).is_some_and(|shaft| {
-                // Single rays try all of these, wherever they are.
-                list.extend(scene.outside.iter().filter(|&&id| counts(id)));
-                list.len() <= MOST_LISTED
-                    && bvh.touched_by(&shaft, |id| {
-                        if counts(id) && !shaft.misses(&scene.primitives[id as usize]) {
-                            list.push(id);
-                        }
-                        list.len() <= MOST_LISTED
-                    })
-            }),
-            _ => false,
-        };
-        if is_complete {
-            return Some(list);
+        let SpatialIndex::Bvh(bvh) = &scene.index else { return false };
+        if count < LEAST_RAYS {
+            return false;
         }
-        self.give_back(list);
-        None
+        let Some(shaft) = shaft_of(bvh, shaft) else { return false };
+        // Single rays try all of these, wherever they are.
+        list.extend(scene.outside.iter().filter(|&&id| counts(id)));
+        let (mut touched, most) = (list.len(), MOST_TOUCHED + MOST_TOUCHED_PER_RAY * count);
+        let mut is_over = false;
+        bvh.touched_in_order(&shaft, walk, |id| {
+            touched += 1;
+            if touched > most {
+                return Next::Break(());
+            }
+            if counts(id) && !shaft.misses(&scene.primitives[id as usize]) {
+                list.push(id);
+            }
+            if list.len() < BATCH {
+                return ANYWHERE;
+            }
+            let next = try_list(list, Some(&shaft));
+            list.clear();
+            is_over = next.is_break();
+            next
+        });
+        if touched > most {
+            return false;
+        }
+        if !is_over && !list.is_empty() {
+            let _ = try_list(list, Some(&shaft));
+        }
+        true
     }
 }
 

@@ -1,14 +1,15 @@
 //! Tracing up to 64 samples together, level by level along their mirror rays.
 //!
-//! Rays that meet one primitive go on together. What they may meet next, and what may stand between them and a light, is
-//! looked up once for all of them, by their shaft ([`lookup`]); that is tried by each ray, eight in lanes
-//! ([`hits`]), and so are hits shaded ([`shade`]). What lanes do not know (glass, what is not wholly
-//! there, smooth normals, colours of points, very deep mirrors)
-//! each sample finishes by itself. Every sample gets the bits that [`Tracer::trace`] gives.
+//! Rays that meet one primitive go on together, and so do those that meet small flat ones of one material: the triangles
+//! of a mesh. What they may meet next, and what may stand between them and a light, is looked up once for all of them, by
+//! their shaft ([`lookup`]); that is tried by each ray, eight in lanes ([`hits`]), and so are hits shaded ([`shade`]).
+//! What lanes do not know (glass, what is not wholly there, very deep mirrors) each sample finishes by itself. Every
+//! sample gets the bits that [`Tracer::trace`] gives.
 
 mod hits;
 mod lookup;
 mod shade;
+mod starts;
 
 use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, SimdLevel, Vec3, vec3};
 use brt_image::{Rgb, rgb};
@@ -16,9 +17,10 @@ use brt_image::{Rgb, rgb};
 use self::hits::Hits;
 pub(super) use self::lookup::Lookup;
 use self::shade::Seen;
+use self::starts::Starts;
 use super::MOST_RAYS_PER_SAMPLE;
-use super::guide::{Guide, Sight};
-use super::search::{FROM_NOWHERE, Met};
+use super::guide::{Guide, Sight, Unguided};
+use super::search::FROM_NOWHERE;
 use super::tracer::Tracer;
 use crate::products::{NOTHING, PreparedScene};
 
@@ -30,11 +32,15 @@ const PACKETS: usize = 8;
 /// Mirror rays beyond this depth are followed one by one.
 const MOST_LEVELS: u32 = 8;
 
+/// As many rays fill the lanes by themselves, with what they meet alone.
+const FULL: u32 = LANES as u32;
+
 /// Rays that go on together: the first `count` of these. Lanes of the last packet without a ray repeat the last one.
 #[derive(Clone)]
 pub(crate) struct Bundle {
     rays: [LaneRays; PACKETS],
     count: usize,
+    starts: Starts,
 }
 
 /// A colour for each ray of a bundle.
@@ -54,16 +60,18 @@ pub(crate) fn lift(c: Rgb) -> Rgb<Lanes> {
 
 impl Default for Bundle {
     fn default() -> Self {
-        Self { rays: [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS], count: 0 }
+        let rays = [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS];
+        Self { rays, count: 0, starts: Starts::default() }
     }
 }
 
 impl Bundle {
-    /// Becomes `count` rays, eight at a time from `rays`; lanes beyond the last are to repeat it.
+    /// Becomes `count` camera rays, eight at a time from `rays`; lanes beyond the last are to repeat it.
     #[inline(always)]
     pub(crate) fn set(&mut self, count: usize, mut rays: impl FnMut(usize) -> LaneRays) {
         debug_assert!((1..=MOST_RAYS).contains(&count), "{count} rays");
         self.count = count;
+        self.starts.set_sole(FROM_NOWHERE);
         (0..self.packets()).for_each(|i| self.rays[i] = rays(i));
     }
 
@@ -85,6 +93,7 @@ impl Bundle {
     /// Becomes the rays of these bits.
     fn take(&mut self, rays: &Self, bits: u64) {
         self.count = bits.count_ones() as usize;
+        self.starts.take(&rays.starts, places(bits));
         for (to, from) in places(bits) {
             let (source, target) = (&rays.rays[from / LANES], &mut self.rays[to / LANES]);
             copy_lane(&source.origin, from % LANES, &mut target.origin, to % LANES);
@@ -95,6 +104,10 @@ impl Bundle {
 
 fn lane_of(v: &Vec3<Lanes>, i: usize) -> Vec3 {
     vec3(v.x.0[i], v.y.0[i], v.z.0[i])
+}
+
+fn set_lane(v: &mut Vec3<Lanes>, i: usize, to: Vec3) {
+    (v.x.0[i], v.y.0[i], v.z.0[i]) = (to.x, to.y, to.z);
 }
 
 fn copy_lane(from: &Vec3<Lanes>, i: usize, to: &mut Vec3<Lanes>, j: usize) {
@@ -157,44 +170,60 @@ impl Tracer<'_> {
         colors: &mut Colors,
     ) {
         self.counters.rays.camera += rays.count as u64;
-        self.follow(&Way { rays, depth: 0, guide }, FROM_NOWHERE, first, colors);
+        self.follow(&Way { rays, depth: 0, guide }, first, colors);
     }
 
-    /// The colours of rays that leave a primitive.
-    fn follow<G: Guide>(&mut self, way: &Way<G>, from: u32, sight: Sight, colors: &mut Colors) {
+    /// Traces camera rays that are known to meet these primitives first, or nothing.
+    pub(crate) fn trace_known_bundle(&mut self, rays: &Bundle, first: &[u32], colors: &mut Colors) {
+        self.counters.rays.camera += rays.count as u64;
         let mut parting = self.rooms.partings.pop().unwrap_or_default();
-        let Parting { hits, rays, own, colors: part_colors } = &mut *parting;
-        self.find_hits(hits, way.rays, from, sight);
+        self.find_known(&mut parting.hits, rays, first);
+        self.part(&Way { rays, depth: 0, guide: Unguided }, &mut parting, colors);
+        self.rooms.partings.push(parting);
+    }
+
+    /// The colours of rays.
+    fn follow<G: Guide>(&mut self, way: &Way<G>, sight: Sight, colors: &mut Colors) {
+        let mut parting = self.rooms.partings.pop().unwrap_or_default();
+        self.find_hits(&mut parting.hits, way.rays, sight);
+        self.part(way, &mut parting, colors);
+        self.rooms.partings.push(parting);
+    }
+
+    /// The colours of rays whose hits are known: those that go on together do.
+    fn part<G: Guide>(&mut self, way: &Way<G>, parting: &mut Parting, colors: &mut Colors) {
+        let Parting { hits, rays, own, colors: part_colors } = parting;
         let all = u64::MAX >> (64 - way.rays.count);
         let mut rest = all;
         while rest != 0 {
-            let primitive = hits.primitive(rest.trailing_zeros() as usize);
-            let here = rest & hits.that_meet(primitive, way.rays.packets());
+            let (here, met) = group_of(self.scene, hits, rest, way.rays.packets());
             rest &= !here;
-            if primitive == NOTHING {
+            if met == Group::Nothing {
                 let background = self.scene.background;
                 ones(here).for_each(|i| set_color(colors, i, background));
             } else if here == all {
-                self.surface(way, hits, primitive, colors);
+                self.surface(way, hits, met, colors);
             } else {
                 rays.take(way.rays, here);
                 own.take(hits, here);
-                self.surface(&Way { rays, ..*way }, own, primitive, part_colors);
+                self.surface(&Way { rays, ..*way }, own, met, part_colors);
                 let part = ones(here).enumerate();
                 part.for_each(|(from, to)| set_color(colors, to, color_at(part_colors, from)));
             }
         }
-        self.rooms.partings.push(parting);
     }
 
-    /// The colours of rays that all meet one primitive.
-    fn surface<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
+    /// The colours of rays that go on together.
+    fn surface<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, met: Group, colors: &mut Colors) {
         let Way { rays, depth, guide } = *way;
-        if depth + 1 == MOST_LEVELS || !is_known_to_lanes(self.scene, primitive) {
-            return self.one_by_one(way, hits, primitive, colors);
+        if depth + 1 == MOST_LEVELS || met == Group::Unknown {
+            return self.one_by_one(way, hits, colors);
         }
         let mut seen = self.rooms.seen.pop().unwrap_or_default();
-        seen.look_at(self.scene, rays, hits, primitive, colors);
+        match met {
+            Group::Primitive(primitive) => seen.look_at(self.scene, rays, hits, primitive, colors),
+            _ => seen.look_at_each(self.scene, rays, hits, colors),
+        }
         for (index, light) in self.scene.lights.iter().enumerate() {
             self.add_light(&seen, light, guide.lighting(index), colors);
         }
@@ -204,17 +233,17 @@ impl Tracer<'_> {
             seen.mirror(rays);
             let Seen { mirrored, reflected, .. } = &mut *seen;
             let next = Way { rays: mirrored, depth: depth + 1, guide: guide.next() };
-            self.follow(&next, primitive, guide.mirrored(), reflected);
+            self.follow(&next, guide.mirrored(), reflected);
             add(colors, reflected, reflection, rays.packets());
         }
         self.rooms.seen.push(seen);
     }
 
     /// Goes on with each ray by itself.
-    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
+    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, colors: &mut Colors) {
         let backdrop = self.scene.background;
         for i in 0..way.rays.count {
-            let met = Met { primitive, t: hits.t[i / LANES].0[i % LANES] };
+            let met = hits.met(i);
             self.rays_left = MOST_RAYS_PER_SAMPLE - way.depth;
             let bounces_left = self.max_depth - way.depth;
             let color = self.color_of(&way.rays.ray(i), Some(met), bounces_left, backdrop, way.guide);
@@ -236,10 +265,44 @@ fn add(colors: &mut Colors, reflected: &Colors, share: f64, packets: usize) {
     );
 }
 
-/// Can lanes shade it?
-fn is_known_to_lanes(scene: &PreparedScene, primitive: u32) -> bool {
+/// What rays that go on together meet.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Group {
+    Nothing,
+    /// One primitive with nothing between its corners.
+    Primitive(u32),
+    /// Flat primitives of one material.
+    Flat,
+    /// What lanes do not know.
+    Unknown,
+}
+
+/// The first of the rays of these bits, and all others that go on with it.
+fn group_of(scene: &PreparedScene, hits: &Hits, rest: u64, packets: usize) -> (u64, Group) {
+    let primitive = hits.primitive(rest.trailing_zeros() as usize);
+    let same = rest & hits.that_meet(primitive, packets);
+    if primitive == NOTHING {
+        return (same, Group::Nothing);
+    }
     let info = &scene.infos[primitive as usize];
-    info.is_plain() && scene.materials[info.material as usize].ends_view() && !scene.has_dimmers
+    if scene.has_dimmers || !scene.materials[info.material as usize].ends_view() {
+        return (same, Group::Unknown);
+    }
+    let is_full = same == rest || same.count_ones() >= FULL;
+    if info.is_plain() && (is_full || !scene.primitives[primitive as usize].is_flat()) {
+        return (same, Group::Primitive(primitive));
+    }
+    let goes_along = |i: usize| {
+        let id = hits.primitive(i);
+        id != NOTHING
+            && scene.infos[id as usize].material == info.material
+            && scene.primitives[id as usize].is_flat()
+    };
+    let group = ones(rest & !same).filter(|&i| goes_along(i)).fold(same, |bits, i| bits | 1 << i);
+    if group == same && info.is_plain() {
+        return (same, Group::Primitive(primitive));
+    }
+    (group, Group::Flat)
 }
 
 /// The colour of one ray.

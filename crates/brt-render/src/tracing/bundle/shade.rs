@@ -1,25 +1,29 @@
 //! Shading of what a bundle meets on one primitive.
 
-use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Mask, Ray, Real, SimdLevel, Vec3};
+use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Mask, Primitive, Ray, Real, SimdLevel, Vec3};
 use brt_image::Rgb;
 use brt_scene::Axis;
 
 use super::hits::Hits;
-use super::{Bundle, Colors, NO_COLORS, NOWHERE, PACKETS, lift};
-use crate::products::{NOTHING, PreparedLight, PreparedMaterial, PreparedScene};
+use super::lookup::{ANYWHERE, Next};
+use super::starts::Starts;
+use super::{Bundle, Colors, NO_COLORS, NOWHERE, PACKETS, lift, set_color, set_lane};
+use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
 use crate::tracing::guide::Lighting;
 use crate::tracing::illumination::{Directions, mirrored, reflected_light};
-use crate::tracing::search::start;
+use crate::tracing::interaction::Interaction;
 use crate::tracing::tracer::Tracer;
 
-/// One primitive seen by all rays of a bundle; and working memory for what it mirrors.
+/// One primitive, or flat ones of one material, seen by all rays of a bundle; and working memory for what is mirrored.
 pub(super) struct Seen {
-    primitive: u32,
+    met: Starts,
     material: u32,
     count: usize,
     point: [Vec3<Lanes>; PACKETS],
     /// On the viewer's side.
     normal: [Vec3<Lanes>; PACKETS],
+    /// The faces' own, on the viewer's side: only where faces differ.
+    geometric_normal: [Vec3<Lanes>; PACKETS],
     viewer: [Vec3<Lanes>; PACKETS],
     body: Colors,
     pub(super) mirrored: Bundle,
@@ -29,11 +33,12 @@ pub(super) struct Seen {
 impl Default for Seen {
     fn default() -> Self {
         Self {
-            primitive: NOTHING,
+            met: Starts::default(),
             material: 0,
             count: 0,
             point: [NOWHERE; PACKETS],
             normal: [NOWHERE; PACKETS],
+            geometric_normal: [NOWHERE; PACKETS],
             viewer: [NOWHERE; PACKETS],
             body: NO_COLORS,
             mirrored: Bundle::default(),
@@ -52,23 +57,57 @@ impl Seen {
         primitive: u32,
         colors: &mut Colors,
     ) {
-        self.primitive = primitive;
+        self.met.set_sole(primitive);
         self.material = scene.infos[primitive as usize].material;
         self.count = rays.count;
         SimdLevel::default().run(
             #[inline(always)]
             || {
+                let shape = &scene.primitives[primitive as usize];
                 for (packet, color) in colors.iter_mut().enumerate().take(rays.packets()) {
-                    *color = self.look(scene, packet, &rays.packet(packet), hits.t[packet]);
+                    *color = self.look(scene, shape, packet, &rays.packet(packet), hits.t[packet]);
                 }
             },
         );
     }
 
+    /// The same, where each ray meets a flat primitive of its own.
+    pub(super) fn look_at_each(
+        &mut self,
+        scene: &PreparedScene,
+        rays: &Bundle,
+        hits: &Hits,
+        colors: &mut Colors,
+    ) {
+        self.met.set_each(hits.primitives(rays.packets()));
+        self.material = scene.infos[hits.primitive(0) as usize].material;
+        self.count = rays.count;
+        let material = self.material(scene);
+        let (ambient, emission) = (material.ambient, material.emission);
+        for i in 0..rays.packets() * LANES {
+            let met = hits.met(i);
+            let here = Interaction::at(scene, &rays.ray(i), met.primitive, met.t);
+            let (packet, lane) = (i / LANES, i % LANES);
+            set_lane(&mut self.point[packet], lane, here.point);
+            set_lane(&mut self.normal[packet], lane, here.normal);
+            set_lane(&mut self.geometric_normal[packet], lane, here.geometric_normal);
+            set_lane(&mut self.viewer[packet], lane, here.viewer);
+            set_color(&mut self.body, i, here.body);
+            set_color(colors, i, here.body * ambient + emission);
+        }
+    }
+
     #[inline(always)]
-    fn look(&mut self, scene: &PreparedScene, packet: usize, ray: &Ray<Lanes>, t: Lanes) -> Rgb<Lanes> {
+    fn look(
+        &mut self,
+        scene: &PreparedScene,
+        shape: &Primitive,
+        packet: usize,
+        ray: &Ray<Lanes>,
+        t: Lanes,
+    ) -> Rgb<Lanes> {
         let point = ray.at(t);
-        let outward = scene.primitives[self.primitive as usize].normal_at(point);
+        let outward = shape.normal_at(point);
         let from_behind = outward.dot(ray.direction).gt(Lanes::constant(0.0));
         let material = self.material(scene);
         let body = body_at(material, &point);
@@ -85,11 +124,12 @@ impl Seen {
 
     /// Sends on the mirror rays.
     pub(super) fn mirror(&mut self, rays: &Bundle) {
-        let Self { mirrored: bundle, normal, point, .. } = self;
+        let Self { mirrored: bundle, normal, point, met, .. } = self;
         SimdLevel::default().run(
             #[inline(always)]
             || {
                 bundle.count = rays.count;
+                bundle.starts.set(met, rays.packets());
                 for packet in 0..rays.packets() {
                     let direction = mirrored(rays.rays[packet].direction, normal[packet]);
                     bundle.rays[packet] = LaneRays { origin: point[packet], direction };
@@ -120,13 +160,18 @@ impl Seen {
     fn faces(&self, light: &PreparedLight) -> [LaneMask; PACKETS] {
         let mut faces = [LaneMask::FALSE; PACKETS];
         for (packet, faces) in faces.iter_mut().enumerate().take(self.packets()) {
-            let rises = self.normal[packet].dot(self.towards(packet, light));
+            let towards = self.towards(packet, light);
+            let rises = self.normal[packet].dot(towards);
             *faces = self.lanes(packet) & !rises.le(Lanes::constant(0.0));
+            if self.met.differ() {
+                let rises = self.geometric_normal[packet].dot(towards);
+                *faces = *faces & !rises.le(Lanes::constant(0.0));
+            }
         }
         faces
     }
 
-    /// Drops points between which and the light one of these primitives stands.
+    /// Drops points between which and the light one of these primitives stands; returns whether any are left.
     #[inline(always)]
     fn hide(
         &self,
@@ -134,7 +179,7 @@ impl Seen {
         light: &PreparedLight,
         list: &[u32],
         lit: &mut [LaneMask; PACKETS],
-    ) {
+    ) -> bool {
         let t_max = Lanes::constant(farthest(light));
         for (packet, lit) in lit.iter_mut().enumerate().take(self.packets()) {
             if !lit.any() {
@@ -142,13 +187,14 @@ impl Seen {
             }
             let ray = Ray::new(self.point[packet], self.towards(packet, light));
             for &id in list {
-                let hit = scene.primitives[id as usize].first_hit(&ray, start(id, self.primitive));
+                let hit = self.met.first_hit(packet, &ray, &scene.primitives[id as usize], id);
                 *lit = *lit & !(hit.found & hit.t.lt(t_max));
                 if !lit.any() {
                     break;
                 }
             }
         }
+        lit.iter().any(|lit| lit.any())
     }
 
     /// Adds the light that arrives at these points.
@@ -218,12 +264,14 @@ impl Tracer<'_> {
         if let Lighting::Among(list) = lighting {
             return self.hide_by(seen, light, list, faces, lit);
         }
-        match self.lookup.shadow(self.scene, &seen.point, seen.count, light) {
-            Some(list) => {
-                self.hide_by(seen, light, &list, faces, lit);
-                self.lookup.give_back(list);
-            }
-            None => self.search_shadows(seen, light, lit),
+        let (scene, mut tests) = (self.scene, 0);
+        let is_complete = self.lookup.shadow(scene, &seen.point, seen.count, light, |list, _| {
+            tests += list.len();
+            if hide_in_lanes(scene, seen, light, list, lit) { ANYWHERE } else { Next::Break(()) }
+        });
+        self.search.count_tests(faces * tests as u64);
+        if !is_complete {
+            self.search_shadows(seen, light, lit);
         }
     }
 
@@ -236,10 +284,7 @@ impl Tracer<'_> {
         lit: &mut [LaneMask; PACKETS],
     ) {
         self.search.count_tests(faces * list.len() as u64);
-        SimdLevel::default().run(
-            #[inline(always)]
-            || seen.hide(self.scene, light, list, lit),
-        );
+        hide_in_lanes(self.scene, seen, light, list, lit);
     }
 
     fn search_shadows(&mut self, seen: &Seen, light: &PreparedLight, lit: &mut [LaneMask; PACKETS]) {
@@ -248,10 +293,24 @@ impl Tracer<'_> {
             let ray = Ray::new(seen.point[packet], seen.towards(packet, light));
             let search = &mut self.search;
             *lit = LaneMask::from_fn(|lane| {
-                lit.has(lane) && !search.is_hidden(&ray.lane(lane), seen.primitive, t_max)
+                let from = seen.met.of(packet * LANES + lane);
+                lit.has(lane) && !search.is_hidden(&ray.lane(lane), from, t_max)
             });
         }
     }
+}
+
+fn hide_in_lanes(
+    scene: &PreparedScene,
+    seen: &Seen,
+    light: &PreparedLight,
+    list: &[u32],
+    lit: &mut [LaneMask; PACKETS],
+) -> bool {
+    SimdLevel::default().run(
+        #[inline(always)]
+        || seen.hide(scene, light, list, lit),
+    )
 }
 
 /// Nothing beyond this distance (in units of the way to the light) hides it.
