@@ -21,6 +21,7 @@ use super::guide::{Guide, Sight};
 use super::search::{FROM_NOWHERE, Met};
 use super::tracer::Tracer;
 use crate::products::{NOTHING, PreparedScene};
+use crate::settings::Backdrop;
 
 /// Most rays of a bundle.
 pub(crate) const MOST_RAYS: usize = PACKETS * LANES;
@@ -148,7 +149,8 @@ struct Way<'b, G> {
 }
 
 impl Tracer<'_> {
-    /// Traces camera rays, given what is known of their first hits and of what follows from there.
+    /// Traces camera rays, given what is known of their first hits and of what follows from there. Their alphas are noted
+    /// if the backdrop is transparent.
     pub(crate) fn trace_bundle(
         &mut self,
         rays: &Bundle,
@@ -157,6 +159,9 @@ impl Tracer<'_> {
         colors: &mut Colors,
     ) {
         self.counters.rays.camera += rays.count as u64;
+        if self.backdrop == Backdrop::Transparent {
+            self.alphas = [1.0; MOST_RAYS];
+        }
         self.follow(&Way { rays, depth: 0, guide }, FROM_NOWHERE, first, colors);
     }
 
@@ -172,8 +177,10 @@ impl Tracer<'_> {
             let here = rest & hits.that_meet(primitive, way.rays.packets());
             rest &= !here;
             if primitive == NOTHING {
-                let background = self.scene.background;
+                let background = self.behind_all(way.depth, here);
                 ones(here).for_each(|i| set_color(colors, i, background));
+            } else if way.depth + 1 == MOST_LEVELS || !is_known_to_lanes(self.scene, primitive) {
+                self.one_by_one(way, hits, here, colors);
             } else if here == all {
                 self.surface(way, hits, primitive, colors);
             } else {
@@ -187,12 +194,20 @@ impl Tracer<'_> {
         self.rooms.partings.push(parting);
     }
 
-    /// The colours of rays that all meet one primitive.
+    /// What rays see that meet nothing.
+    fn behind_all(&mut self, depth: u32, rays: u64) -> Rgb {
+        if depth > 0 {
+            return self.scene.background;
+        }
+        if self.backdrop == Backdrop::Transparent {
+            ones(rays).for_each(|i| self.alphas[i] = 0.0);
+        }
+        self.color_of_nothing()
+    }
+
+    /// The colours of rays that all meet one primitive, which lanes know.
     fn surface<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
         let Way { rays, depth, guide } = *way;
-        if depth + 1 == MOST_LEVELS || !is_known_to_lanes(self.scene, primitive) {
-            return self.one_by_one(way, hits, primitive, colors);
-        }
         let mut seen = self.rooms.seen.pop().unwrap_or_default();
         seen.look_at(self.scene, rays, hits, primitive, colors);
         for (index, light) in self.scene.lights.iter().enumerate() {
@@ -210,14 +225,19 @@ impl Tracer<'_> {
         self.rooms.seen.push(seen);
     }
 
-    /// Goes on with each ray by itself.
-    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, primitive: u32, colors: &mut Colors) {
-        let backdrop = self.scene.background;
-        for i in 0..way.rays.count {
-            let met = Met { primitive, t: hits.t[i / LANES].0[i % LANES] };
+    /// Goes on with each of these rays by itself.
+    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, rays: u64, colors: &mut Colors) {
+        for i in ones(rays) {
+            let met = Met { primitive: hits.primitive(i), t: hits.t[i / LANES].0[i % LANES] };
             self.rays_left = MOST_RAYS_PER_SAMPLE - way.depth;
-            let bounces_left = self.max_depth - way.depth;
-            let color = self.color_of(&way.rays.ray(i), Some(met), bounces_left, backdrop, way.guide);
+            let (ray, met, bounces_left) = (way.rays.ray(i), Some(met), self.max_depth - way.depth);
+            let color = if way.depth == 0 {
+                let (color, alpha) = self.seen_by_camera(&ray, met, bounces_left, way.guide);
+                self.alphas[i] = alpha;
+                color
+            } else {
+                self.color_of(&ray, met, bounces_left, Backdrop::Scene, way.guide)
+            };
             set_color(colors, i, color);
         }
     }
