@@ -86,7 +86,7 @@ fn transparent_leaves_the_background_out_but_not_of_mirrors() {
 #[test]
 fn edges_have_the_colour_of_what_covers_them() {
     let bench = bench();
-    let open = picture(&bench, "--no-background --bits 16 --linear --samples 16", "a.png");
+    let open = picture(&bench, "--no-background --bits 16 --linear", "a.png");
     let clay = [0.9, 0.35, 0.2];
     for i in (0..64 * 48).filter(|&i| open.alpha_level(i) > 0.0 && i % 64 < 32) {
         // All are shades of clay: neither the background nor black is mixed in.
