@@ -95,6 +95,7 @@ impl Found {
 }
 
 /// A pixel of the picture and the same by full ray tracing.
+#[derive(Clone, Copy)]
 enum LevelsOfBoth {
     Opaque([[f64; 3]; 2]),
     WithAlpha([[f64; 4]; 2]),
@@ -115,7 +116,7 @@ fn greatest_difference(a: &[f64], b: &[f64]) -> f64 {
         d if d.is_nan() && a != b && !(a.is_nan() && b.is_nan()) => f64::INFINITY,
         d => d,
     };
-    a.iter().zip(b).map(difference).fold(f64::NEG_INFINITY, f64::max)
+    a.iter().zip(b).map(difference).fold(f64::NAN, f64::max)
 }
 
 /// The greatest difference of any channel of each pixel, alpha included, in levels.
