@@ -110,7 +110,7 @@ impl LevelsOfBoth {
     }
 }
 
-/// The greatest difference of any channel; infinite where only one is a number.
+/// The greatest difference of any channel; infinite where only one is a number, itself none where none is.
 fn greatest_difference(a: &[f64], b: &[f64]) -> f64 {
     let difference = |(a, b): (&f64, &f64)| match (a - b).abs() {
         d if d.is_nan() && a != b && !(a.is_nan() && b.is_nan()) => f64::INFINITY,
