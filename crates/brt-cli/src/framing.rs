@@ -1,11 +1,11 @@
 //! Options that put a scene into the picture.
 
 use brt::framing::{Framing, Up, View, add_floor, framed_camera, studio_lights};
-use brt::{Given, Rgb, Scene};
+use brt::{Backdrop, Given, Rgb, Scene};
 use clap::Args;
 
 use crate::exit::{Failure, wrong_use};
-use crate::values;
+use crate::values::{self, Background};
 
 /// Options for looking at scenes, above all at those without a camera.
 #[derive(Clone, Debug, Args)]
@@ -33,6 +33,13 @@ pub(crate) struct ViewOptions {
     /// Colour of all that the file gives none: #rrggbb or a name
     #[arg(long, value_name = "COLOR", value_parser = values::color)]
     color: Option<Rgb>,
+    /// What is behind everything: #rrggbb, a name, or `transparent`, which gives .png and .exr an alpha; mirrors and glass
+    /// still show the scene's own background then [default: the scene's, else white]
+    #[arg(long, value_name = "COLOR", value_parser = values::background)]
+    background: Option<Background>,
+    /// Same as --background transparent
+    #[arg(long, conflicts_with = "background")]
+    no_background: bool,
 }
 
 impl ViewOptions {
@@ -46,8 +53,20 @@ impl ViewOptions {
         Ok(())
     }
 
-    /// `--color`
+    /// What the camera sees behind everything.
+    pub(crate) fn backdrop(&self) -> Backdrop {
+        if self.no_background || self.background == Some(Background::Transparent) {
+            Backdrop::Transparent
+        } else {
+            Backdrop::Scene
+        }
+    }
+
+    /// `--color` and the colour of `--background`
     pub(crate) fn paint(&self, scene: &mut Scene, given: &Given) -> Result<(), Failure> {
+        if let Some(Background::Color(color)) = self.background {
+            scene.background = color;
+        }
         if let Some(color) = self.color {
             let Some(plain) = given.plain else {
                 return Err(wrong_use("`--color` is for files without colours, and this one has its own"));

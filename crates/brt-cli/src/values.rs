@@ -79,6 +79,23 @@ pub(crate) fn color(text: &str) -> Result<Rgb, String> {
     Ok(rgb(channel(16), channel(8), channel(0)))
 }
 
+/// What is behind everything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Background {
+    /// This colour, also in mirrors.
+    Color(Rgb),
+    /// Nothing.
+    Transparent,
+}
+
+/// A colour, or `transparent`.
+pub(crate) fn background(text: &str) -> Result<Background, String> {
+    if text == "transparent" {
+        return Ok(Background::Transparent);
+    }
+    color(text).map(Background::Color).map_err(|expected| format!("{expected}, or transparent"))
+}
+
 /// A scene format by its usual extension.
 pub(crate) fn input_format() -> impl TypedValueParser<Value = Format> {
     let readable = Format::ALL.into_iter().filter(|format| format.reads());
@@ -150,6 +167,9 @@ mod tests {
     fn colors_are_codes_or_names() {
         assert_eq!(color("#ffffff"), Ok(rgb(1.0, 1.0, 1.0)));
         assert_eq!(color("black"), Ok(rgb(0.0, 0.0, 0.0)));
+        assert_eq!(background("white"), Ok(Background::Color(rgb(1.0, 1.0, 1.0))));
+        assert_eq!(background("transparent"), Ok(Background::Transparent));
+        assert!(background("mauve").is_err_and(|message| message.ends_with("brown, or transparent")));
         assert!(color("#fff").is_err() && color("#+12345").is_err() && color("mauve").is_err());
     }
 

@@ -64,6 +64,25 @@ impl Shaft {
         Self::around_rays(rays, end)?.widened(BOX_MARGIN * (size + far.greatest))
     }
 
+    /// The same without what lies below all points of a surface that the rays leave or arrive at, all of them on the side
+    /// of this normal.
+    #[inline(always)]
+    pub fn above(mut self, normal: Vec3, points: &[Vec3<Lanes>]) -> Option<Self> {
+        let (mut lowest, mut reach) = (f64::INFINITY, 0.0_f64);
+        for point in points {
+            let (x, y, z) = (
+                point.x * Lanes::constant(normal.x),
+                point.y * Lanes::constant(normal.y),
+                point.z * Lanes::constant(normal.z),
+            );
+            lowest = (x + y + z).0.into_iter().fold(lowest, f64::min);
+            reach = (x.abs() + y.abs() + z.abs()).0.into_iter().fold(reach, f64::max);
+        }
+        let offset = self.margin() * normal.length() - lowest;
+        self.push_face(-normal, offset, reach)?;
+        Some(self)
+    }
+
     /// Adds the half-space with this normal that all origins are in, or are by no more than `beyond` out of.
     #[inline(always)]
     fn bound(&mut self, normal: Vec3, rays: &[LaneRays], beyond: f64) -> Option<()> {

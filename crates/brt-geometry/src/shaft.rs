@@ -1,16 +1,20 @@
-//! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most six half-spaces.
+//! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most seven half-spaces.
 
 use crate::{Aabb, BOX_MARGIN, Bvh, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
 
 /// A convex region that holds all rays of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct Shaft {
-    /// Two pairs of sides, what lies behind the rays' starts, and what lies beyond their ends if they have ends.
-    faces: [HalfSpace; 6],
+    /// Two pairs of sides, what lies behind the rays' starts; after that, where it is known, what lies beyond
+    /// their ends, and what lies below the surface that they leave.
+    faces: [HalfSpace; MOST_FACES],
     count: usize,
     /// How far the faces were moved outward.
     margin: f64,
 }
+
+/// Sides, what lies behind and beyond, and what lies below the surface that rays leave.
+pub(crate) const MOST_FACES: usize = 7;
 
 /// Which face lies behind the starts.
 const BEHIND: usize = 4;
@@ -72,7 +76,7 @@ impl Shaft {
 
     /// No half-space: everything.
     pub(crate) fn empty() -> Self {
-        Self { faces: [HalfSpace::default(); 6], count: 0, margin: 0.0 }
+        Self { faces: [HalfSpace::default(); MOST_FACES], count: 0, margin: 0.0 }
     }
 
     /// Adds a half-space; its normal times the origins has terms as large as `reach`.

@@ -16,7 +16,8 @@ pub struct SizeMismatch {
     pub test: PictureSize,
 }
 
-/// Measures the difference of two pictures in levels of their own encodings.
+/// Measures the difference of two pictures in levels of their own encodings. If one of them has an alpha, it is a fourth
+/// channel; the other is wholly covered then.
 ///
 /// # Errors
 /// If their sizes differ.
@@ -24,7 +25,11 @@ pub fn compare(reference: &Picture, test: &Picture) -> Result<Comparison, SizeMi
     let pixels = pixels_in_common(reference, test)?;
     let mut meter = DifferenceMeter::default();
     for i in 0..pixels {
-        meter.add_steps(reference.steps(i), test.steps(i));
+        if reference.has_alpha() || test.has_alpha() {
+            meter.add_steps(all_steps(reference, i), all_steps(test, i));
+        } else {
+            meter.add_steps(reference.steps(i), test.steps(i));
+        }
     }
     Ok(meter.comparison())
 }
@@ -40,14 +45,20 @@ pub fn compare(reference: &Picture, test: &Picture) -> Result<Comparison, SizeMi
 pub fn heat_map(reference: &Picture, test: &Picture) -> Result<Image, SizeMismatch> {
     let pixels = pixels_in_common(reference, test)?;
     let color = |i| {
-        let [r, g, b] = difference(reference.steps(i), test.steps(i));
-        heat_color(r.max(g).max(b) / STEPS_PER_LEVEL)
+        let differences = difference(all_steps(reference, i), all_steps(test, i));
+        heat_color(differences.into_iter().fold(0.0, f64::max) / STEPS_PER_LEVEL)
     };
     let mut image = Image::black(reference.size());
     for (i, pixel) in image.pixels_mut()[..pixels].iter_mut().enumerate() {
         *pixel = color(i);
     }
     Ok(image)
+}
+
+/// Steps of colours and alpha.
+fn all_steps(picture: &Picture, i: usize) -> [f64; 4] {
+    let [r, g, b] = picture.steps(i);
+    [r, g, b, picture.alpha_steps(i)]
 }
 
 fn pixels_in_common(reference: &Picture, test: &Picture) -> Result<usize, SizeMismatch> {

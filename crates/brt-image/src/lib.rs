@@ -26,13 +26,14 @@ mod false_color;
 mod image;
 mod metrics;
 mod picture;
+mod pixels;
 mod quantize;
 mod transfer;
 
 pub use codec::{
-    AtomicFile, BandWriter, BitDepth, Compression, DecodeError, DecodeProblem, EncodeError, Encoding,
-    ExrEncoder, ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, WorkClock, decode_picture,
-    encoder, read_picture,
+    AtomicFile, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
+    Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, WorkClock,
+    decode_picture, encoder, read_picture,
 };
 pub use color::{Rgb, rgb};
 pub use compare::{SizeMismatch, compare, heat_color, heat_map};
@@ -40,4 +41,5 @@ pub use false_color::{depth_color, id_color};
 pub use image::{Band, Image, PictureSize, PixelCountError};
 pub use metrics::{Comparison, DifferenceMeter};
 pub use picture::Picture;
+pub use pixels::{PixelRows, straight};
 pub use transfer::Transfer;

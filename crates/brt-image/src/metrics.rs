@@ -12,7 +12,7 @@ pub struct Comparison {
     /// Pixels compared.
     pub pixels: u64,
     /// The paper's error: the mean over all pixels of (|Δr| + |Δg| + |Δb|) / 3; 0 if there are
-    /// none.
+    /// none. Where there is alpha, it is a fourth channel.
     ///
     /// Paper: P12
     pub mean_error: f64,
@@ -32,6 +32,8 @@ pub struct Comparison {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DifferenceMeter {
     pixels: u64,
+    /// Of all pixels.
+    channels: u64,
     /// Of the absolute differences of all channels, in steps.
     sum: f64,
     /// In steps.
@@ -42,21 +44,21 @@ pub struct DifferenceMeter {
 }
 
 impl DifferenceMeter {
-    /// Takes a pixel of each picture, in levels.
-    pub fn add_levels(&mut self, a: [f64; 3], b: [f64; 3]) {
-        let steps = |i: usize| channel_difference(a[i], b[i]) * STEPS_PER_LEVEL;
-        self.add_difference([steps(0), steps(1), steps(2)]);
+    /// Takes a pixel of each picture, in levels; its channels are colours or colours and alpha.
+    pub fn add_levels<const N: usize>(&mut self, a: [f64; N], b: [f64; N]) {
+        self.add_difference(difference(a, b).map(|levels| levels * STEPS_PER_LEVEL));
     }
 
     /// Takes a pixel of each picture, in steps.
-    pub(crate) fn add_steps(&mut self, a: [f64; 3], b: [f64; 3]) {
+    pub(crate) fn add_steps<const N: usize>(&mut self, a: [f64; N], b: [f64; N]) {
         self.add_difference(difference(a, b));
     }
 
-    fn add_difference(&mut self, [r, g, b]: [f64; 3]) {
-        let greatest = r.max(g).max(b);
+    fn add_difference<const N: usize>(&mut self, steps: [f64; N]) {
+        let greatest = steps.into_iter().fold(0.0, f64::max);
         self.pixels += 1;
-        self.sum += r + g + b;
+        self.channels += N as u64;
+        self.sum += steps.into_iter().sum::<f64>();
         self.max = self.max.max(greatest);
         self.over_1 += u64::from(greatest > STEPS_PER_LEVEL);
         self.over_2 += u64::from(greatest > 2.0 * STEPS_PER_LEVEL);
@@ -66,6 +68,7 @@ impl DifferenceMeter {
     /// Adds what another meter has gathered.
     pub fn merge(&mut self, other: &Self) {
         self.pixels += other.pixels;
+        self.channels += other.channels;
         self.sum += other.sum;
         self.max = self.max.max(other.max);
         self.over_1 += other.over_1;
@@ -75,7 +78,7 @@ impl DifferenceMeter {
 
     /// The numbers.
     pub fn comparison(&self) -> Comparison {
-        let samples = 3.0 * self.pixels.max(1) as f64;
+        let samples = self.channels.max(1) as f64;
         Comparison {
             pixels: self.pixels,
             mean_error: self.sum / samples / STEPS_PER_LEVEL,
@@ -88,8 +91,8 @@ impl DifferenceMeter {
 }
 
 /// The absolute difference of each channel.
-pub(crate) fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i| channel_difference(a[i], b[i]))
+pub(crate) fn difference<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| channel_difference(a[i], b[i]))
 }
 
 fn channel_difference(a: f64, b: f64) -> f64 {

@@ -22,6 +22,8 @@ pub(crate) enum Samples {
 pub struct Picture {
     size: PictureSize,
     samples: Samples,
+    /// In steps; `None` if the file has none.
+    alpha: Option<Vec<f32>>,
 }
 
 /// Steps in a level: differences are taken between codes of 16 bits, whose step this is.
@@ -30,9 +32,15 @@ pub(crate) const STEPS_PER_LEVEL: f64 = 257.0;
 impl Picture {
     /// The samples must be as many as the pixels.
     pub(crate) fn new(size: PictureSize, samples: Samples) -> Self {
-        let picture = Self { size, samples };
+        let picture = Self { size, samples, alpha: None };
         debug_assert_eq!(picture.sample_count() as u64, size.pixels());
         picture
+    }
+
+    /// With an alpha for each pixel, in steps.
+    pub(crate) fn with_alpha(self, alpha: Option<Vec<f32>>) -> Self {
+        debug_assert!(alpha.as_ref().is_none_or(|alpha| alpha.len() == self.sample_count()));
+        Self { alpha, ..self }
     }
 
     fn sample_count(&self) -> usize {
@@ -63,5 +71,22 @@ impl Picture {
             Samples::Sixteen(pixels) => pixels[pixel_index].map(f64::from),
             Samples::Float(pixels) => pixels[pixel_index].map(|v| f64::from(v) * 65535.0),
         }
+    }
+
+    /// Has the file an alpha?
+    pub fn has_alpha(&self) -> bool {
+        self.alpha.is_some()
+    }
+
+    /// Level of the alpha of a pixel; 255, wholly covered, where the file has none.
+    ///
+    /// # Panics
+    /// If the picture has no such pixel.
+    pub fn alpha_level(&self, pixel_index: usize) -> f64 {
+        self.alpha_steps(pixel_index) / STEPS_PER_LEVEL
+    }
+
+    pub(crate) fn alpha_steps(&self, pixel_index: usize) -> f64 {
+        self.alpha.as_ref().map_or(65535.0, |alpha| f64::from(alpha[pixel_index]))
     }
 }

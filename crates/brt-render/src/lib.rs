@@ -28,5 +28,5 @@ pub use products::{
 };
 pub use render::{RenderError, render};
 pub use run::{Progress, RayOrder, Run, TileOrder};
-pub use settings::{Accelerator, CheckedPixels, HistoryKind, Method, Samples, Settings};
+pub use settings::{Accelerator, Backdrop, CheckedPixels, HistoryKind, Method, Samples, Settings};
 pub use tracing::FirstSeen;

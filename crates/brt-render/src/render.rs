@@ -11,8 +11,8 @@ use crate::methods::{
 };
 use crate::perspective::{Outline, Outlines, Painter};
 use crate::picture::{
-    BandAssembler, Layer, LayerRows, LayerSources, Sink, SinkError, TileColors, TilePicture, reduce,
-    reduce_into, tile_layer,
+    BandAssembler, FullTile, Layer, LayerRows, LayerSources, Sink, SinkError, TilePicture, TileShares,
+    reduce, reduce_alpha, reduce_into, tile_layer,
 };
 use crate::prepare::{PreparedCamera, prepare};
 use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Tile};
@@ -112,6 +112,7 @@ pub(crate) fn render_tile(
             Method::ScanLine => painter.scan(tile, outlines, &mut worker.perspective),
             _ => painter.paint(tile, outlines, &mut worker.perspective),
         }
+        worker.open_background();
         clock.lap(&mut worker.tracer.counters.seconds.perspective);
     }
     // "Use it to choose the pixels that are ray-traced and those that are interpolated" (P3, P5, P6).
@@ -124,9 +125,10 @@ pub(crate) fn render_tile(
     if colors.is_none() {
         reduce_into(filter, job.grid, tile, samples, rows);
     }
+    let alpha = tile_alpha(job, worker, tile);
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
     let full = (job.settings.checked != CheckedPixels::None).then(|| render_again_in_full(job, worker, tile));
-    TilePicture { tile: *tile, colors, full, layers }
+    TilePicture { tile: *tile, colors, alpha, full, layers }
 }
 
 fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Method) {
@@ -151,6 +153,11 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
     }
 }
 
+fn tile_alpha(job: &Job, worker: &TileWorker, tile: &Tile) -> Option<TileShares<1>> {
+    let samples = worker.samples.alpha.as_ref()?;
+    Some(reduce_alpha(job.settings.filter, job.grid, tile, samples))
+}
+
 fn make_layer(job: &Job, worker: &TileWorker, tile: &Tile, layer: Layer) -> LayerRows {
     let TileWorker { samples, perspective, .. } = worker;
     let sources =
@@ -159,7 +166,7 @@ fn make_layer(job: &Job, worker: &TileWorker, tile: &Tile, layer: Layer) -> Laye
 }
 
 /// The tile's checked pixels once more by full ray tracing. Its rays are not counted: they are spent on checking.
-fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> TileColors {
+fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> FullTile {
     let counted = worker.tracer.take_counters();
     worker.samples.reset(tile);
     let Settings { checked, filter, .. } = job.settings;
@@ -172,5 +179,6 @@ fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> Tile
     }
     worker.tracer.take_counters();
     worker.tracer.counters = counted;
-    reduce(job.settings.filter, job.grid, tile, &worker.samples.color)
+    let colors = reduce(job.settings.filter, job.grid, tile, &worker.samples.color);
+    FullTile { colors, alpha: tile_alpha(job, worker, tile) }
 }

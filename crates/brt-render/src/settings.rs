@@ -27,6 +27,8 @@ pub struct Settings {
     pub layers: Vec<Layer>,
     /// Which pixels are rendered by full ray tracing too, to compare with.
     pub checked: CheckedPixels,
+    /// What is behind everything.
+    pub backdrop: Backdrop,
 }
 
 impl Accelerator {
@@ -47,6 +49,7 @@ impl Settings {
             max_depth: None,
             layers: Vec::new(),
             checked: CheckedPixels::None,
+            backdrop: Backdrop::Scene,
         }
     }
 }
@@ -91,6 +94,24 @@ impl Settings {
     pub(crate) fn needs_perspective_image(&self) -> bool {
         !matches!(self.method, Method::Reference | Method::Full | Method::PixelSelected(_))
             || self.layers.iter().any(|layer| layer.needs_perspective_image())
+    }
+}
+
+/// What the camera sees where a straight way meets nothing, or only surfaces that are partly there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Backdrop {
+    /// The scene's background.
+    #[default]
+    Scene,
+    /// Nothing: it adds no light, and pixels get an alpha, which is 1 less the share of it that they see. Mirrors and
+    /// glass still show the scene's background, and hide what is behind them.
+    Transparent,
+}
+
+impl Backdrop {
+    /// Do pixels get an alpha?
+    pub fn has_alpha(self) -> bool {
+        self == Self::Transparent
     }
 }
 

@@ -13,8 +13,12 @@ pub struct Rendered {
     pub size: [u32; 2],
     /// Linear RGB, row by row.
     pub colors: Vec<[f32; 3]>,
+    /// How much of each pixel is covered, if the backdrop is transparent.
+    pub alpha: Vec<f32>,
     /// The same by full ray tracing, if the settings ask for it.
     pub full: Vec<[f32; 3]>,
+    /// Alpha by full ray tracing, if there are both.
+    pub full_alpha: Vec<f32>,
     /// Surfaces, `u32::MAX` for the background.
     pub surface: Vec<u32>,
     /// Depths, infinite for the background.
@@ -54,7 +58,9 @@ pub fn render_with_layers(scene: &Scene, settings: &Settings, run: &Run) -> Rend
         assert_eq!(rows.width, settings.size[0]);
         next += rows.count();
         picture.colors.extend(&rows.colors);
+        picture.alpha.extend(rows.alpha.iter().flatten());
         picture.full.extend(rows.full.iter().flatten());
+        picture.full_alpha.extend(rows.full_alpha.iter().flatten());
         rows.layers.iter().for_each(|layer| picture.append(layer));
     }
     assert_eq!(next, settings.size[1], "rows are missing");

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use brt_image::{EncodeError, Encoding, PictureFormat, PictureSize, Target};
+use brt_image::{Channels, EncodeError, Encoding, PictureFormat, PictureSize, Target};
 use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
 use brt_scene::Scene;
 use thiserror::Error;
@@ -112,7 +112,7 @@ impl From<RenderError> for RenderFilesError {
 
 /// Renders a scene that passed [`Scene::check`] to a picture and its layers.
 ///
-/// `settings.layers` need not be given: they follow from the output's. Files appear when the picture is complete; if
+/// `settings.layers` need not be given: they follow from the output's. So do the output's channels from the backdrop. Files appear when the picture is complete; if
 /// anything fails, those that existed before are as they were.
 ///
 /// # Errors
@@ -124,6 +124,7 @@ pub fn render_to_files(
     output: &Output,
 ) -> Result<Rendered, RenderFilesError> {
     let settings = with_layers_of(output, settings);
+    let output = &with_channels_for(&settings, output);
     let encoding = output.encoding;
     let size = PictureSize::new(settings.size[0], settings.size[1]);
     let painter = LayerPainter::new(scene, encoding);
@@ -136,6 +137,12 @@ pub fn render_to_files(
     let verification = files.finish()?;
     let encode_seconds = beside + begin.elapsed().as_secs_f64();
     Ok(Rendered { stats, encode_seconds, verification })
+}
+
+/// The picture has an alpha if the backdrop is transparent.
+fn with_channels_for(settings: &Settings, output: &Output) -> Output {
+    let channels = if settings.backdrop.has_alpha() { Channels::Rgba } else { Channels::Rgb };
+    Output { encoding: Encoding { channels, ..output.encoding }, ..output.clone() }
 }
 
 fn with_layers_of(output: &Output, settings: &Settings) -> Settings {

@@ -55,8 +55,8 @@ impl LayerPainter {
     }
 
     fn errors(&self, rows: &Rows) -> Vec<f32> {
-        let full = rows.full.as_deref().unwrap_or(&rows.colors);
-        rows.colors.iter().zip(full).map(|(&a, &b)| error_levels(self.encoding, a, b) as f32).collect()
+        let full = rows.full_pixels().unwrap_or(rows.pixels());
+        error_levels(self.encoding, rows.pixels(), full).map(|levels| levels as f32).collect()
     }
 }
 
@@ -156,7 +156,9 @@ mod tests {
             first: 0,
             width: 2,
             colors: vec![[0.0; 3], [1.0; 3]],
+            alpha: None,
             full: Some(vec![[0.0; 3], [0.0; 3]]),
+            full_alpha: None,
             layers: vec![
                 LayerRows::State(vec![SampleState::Traced, SampleState::Filled]),
                 LayerRows::Normal(vec![[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]]),

@@ -68,10 +68,11 @@ pub use brt_formats::{
 };
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{
-    BitDepth, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer, rgb,
+    BitDepth, Channels, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer,
+    rgb,
 };
 pub use brt_render::{
-    Accelerator, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
+    Accelerator, Backdrop, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
     DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
     PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run, SampleState,
     Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,

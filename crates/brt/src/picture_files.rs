@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use brt_image::{
-    BandWriter, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target, WorkClock,
-    encoder,
+    BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target,
+    WorkClock, encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
 
@@ -57,7 +57,7 @@ impl Sink for PictureFiles {
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         self.threads = rayon::current_num_threads();
         let Self { files, painter, measure, clock, .. } = self;
-        if let (Some(measure), Some(full)) = (measure, &rows.full) {
+        if let (Some(measure), Some(full)) = (measure, rows.full_pixels()) {
             measure.add(rows, full, clock);
         }
         if let Some(files) = files {
@@ -80,12 +80,13 @@ impl OpenFiles {
         let Output { encoding, layers, .. } = output;
         if encoding.format == PictureFormat::Exr {
             let names = layers.iter().flat_map(|layer| layer.channels()).copied();
-            let encoder = ExrEncoder::new(target.open()?, size, &ExrLayers::new(names))?;
+            let names = ExrLayers::beside(encoding.channels, names);
+            let encoder = ExrEncoder::new(target.open()?, size, &names)?;
             return Ok(Self::Exr { encoder: Box::new(encoder), layers: layers.clone() });
         }
         let picture = encoder(target.open()?, size, *encoding)?;
         let open = |&layer: &PictureLayer| {
-            let encoding = Encoding { transfer: layer.transfer(), ..*encoding };
+            let encoding = Encoding { transfer: layer.transfer(), channels: Channels::Rgb, ..*encoding };
             Ok((layer, encoder(layer_target(target, layer).open()?, size, encoding)?))
         };
         let layers = layers.iter().map(open).collect::<Result<_, EncodeError>>()?;
@@ -98,11 +99,12 @@ impl OpenFiles {
             Self::Exr { encoder, layers } => {
                 let values: Vec<Vec<f32>> =
                     clock.time(|| layers.iter().flat_map(|&layer| painter.values(layer, rows)).collect());
-                let values: Vec<&[f32]> = values.iter().map(Vec::as_slice).collect();
+                let values: Vec<&[f32]> =
+                    rows.alpha.as_deref().into_iter().chain(values.iter().map(Vec::as_slice)).collect();
                 encoder.write_with_layers(&rows.colors, &values)
             }
             Self::Separate { picture, layers } => {
-                picture.write(&rows.colors)?;
+                picture.write_pixels(rows.pixels())?;
                 layers.iter_mut().try_for_each(|(layer, file)| {
                     let colors = painter.colors(*layer, rows);
                     file.write(&colors)

@@ -35,7 +35,7 @@ pub(crate) struct Options {
     max_pixels: u64,
 }
 
-/// Compares two pictures.
+/// Compares two pictures. Alpha counts as a fourth channel.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
     let limits = PictureLimits { pixels: options.max_pixels };
@@ -50,6 +50,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
             encoder.finish()?;
         }
     }
+    if let Some(path) = only_one_without_alpha(options, &reference, &test) {
+        output::note(&format!("{} has no alpha: compared as if it were opaque", path.display()));
+    }
     if options.json {
         output::line(&json::text(&ComparisonJson::from(&comparison))?);
     } else {
@@ -62,6 +65,19 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     }
     let over = options.max_error.is_some_and(|limit| comparison.max_error > limit);
     Ok(if over { Outcome::OverLimit } else { Outcome::Done })
+}
+
+/// The picture without alpha, if the other has one.
+fn only_one_without_alpha<'o>(
+    options: &'o Options,
+    reference: &image::Picture,
+    test: &image::Picture,
+) -> Option<&'o Path> {
+    match (reference.has_alpha(), test.has_alpha()) {
+        (true, false) => Some(&options.test),
+        (false, true) => Some(&options.reference),
+        _ => None,
+    }
 }
 
 /// Where the heat map goes; not over one of the pictures.
@@ -83,5 +99,6 @@ fn describe(c: &Comparison) -> String {
 /// Are all stored values codes of 8 bits?
 fn has_whole_levels(picture: &image::Picture) -> bool {
     let pixels = picture.size().pixels() as usize;
-    (0..pixels).all(|i| picture.levels(i).iter().all(|level| level.fract() == 0.0))
+    let is_whole = |level: &f64| level.fract() == 0.0;
+    (0..pixels).all(|i| picture.levels(i).iter().chain(&[picture.alpha_level(i)]).all(is_whole))
 }

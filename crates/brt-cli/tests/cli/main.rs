@@ -1,5 +1,6 @@
 //! The command as its users see it: runs the binary on small scenes in a folder of its own.
 
+mod background;
 mod bench;
 mod compare;
 mod failures;

@@ -5,7 +5,10 @@ use std::ops::ControlFlow;
 use wide::f32x4;
 
 use super::{Bvh, Child, Node, Traversal, push_sorted};
-use crate::{Shaft, shaft::HalfSpace};
+use crate::{
+    Shaft,
+    shaft::{HalfSpace, MOST_FACES},
+};
 
 /// Roundings of a face's normal, of its offset and of three products lie between the exact side and ours.
 const SLACK: f32 = 1.0 / (1 << 19) as f32;
@@ -16,7 +19,7 @@ impl Bvh {
         if self.items.is_empty() {
             return true;
         }
-        let faces: [Option<RoundedFace>; 6] =
+        let faces: [Option<RoundedFace>; MOST_FACES] =
             std::array::from_fn(|i| shaft.faces().get(i).map(|face| self.rounded(face)));
         let mut open = vec![Child { first: 0, count: 0 }];
         while let Some(child) = open.pop() {
@@ -48,7 +51,7 @@ impl Bvh {
         if self.items.is_empty() {
             return;
         }
-        let faces: [Option<RoundedFace>; 6] =
+        let faces: [Option<RoundedFace>; MOST_FACES] =
             std::array::from_fn(|i| shaft.faces().get(i).map(|face| self.rounded(face)));
         let along =
             |limit: f64| self.rounded(&HalfSpace { normal: shaft.axis(), offset: limit + shaft.margin() });

@@ -38,6 +38,20 @@ pub enum EncodeError {
         /// Rows given in all.
         given: u64,
     },
+    /// The format has no alpha.
+    #[error("{format} cannot hold transparency; PNG and EXR can")]
+    NoAlpha {
+        /// Name of the format.
+        format: &'static str,
+    },
+    /// The caller gave rows with alpha to a picture without, or none or too few to one with it.
+    #[error("alpha was given for {given} of {expected} pixels")]
+    AlphaCount {
+        /// Values that the picture takes.
+        expected: usize,
+        /// Values given.
+        given: usize,
+    },
     /// The names or the number of extra layers do not fit.
     #[error("layers: {0}")]
     Layers(String),

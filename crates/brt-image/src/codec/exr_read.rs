@@ -1,4 +1,4 @@
-//! Reads `OpenEXR`: the first layer with R, G and B, of scan lines or tiles, not deep.
+//! Reads `OpenEXR`: the first layer with R, G, B and perhaps A, of scan lines or tiles, not deep.
 
 use std::io::{BufRead, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,6 +17,18 @@ use crate::picture::{Picture, Samples};
 struct Pixels {
     width: usize,
     values: Vec<[f32; 3]>,
+    /// In steps.
+    alpha: Option<Vec<f32>>,
+}
+
+impl Pixels {
+    fn set(&mut self, at: Vec2<usize>, (r, g, b, a): (f32, f32, f32, f32)) {
+        let index = at.y() * self.width + at.x();
+        self.values[index] = [r, g, b];
+        if let Some(alpha) = &mut self.alpha {
+            alpha[index] = a * 65535.0;
+        }
+    }
 }
 
 /// Reads a picture.
@@ -43,9 +55,13 @@ fn read_unguarded<R: BufRead + Seek>(
     let image = read_exr()
         .no_deep_data()
         .largest_resolution_level()
-        .rgb_channels(
-            |size, _| Pixels { width: size.width(), values: vec![[0.0; 3]; size.area()] },
-            |pixels, at, (r, g, b)| pixels.values[at.y() * pixels.width + at.x()] = [r, g, b],
+        .rgba_channels(
+            |size, (_, _, _, alpha)| Pixels {
+                width: size.width(),
+                values: vec![[0.0; 3]; size.area()],
+                alpha: alpha.as_ref().map(|_| vec![0.0; size.area()]),
+            },
+            Pixels::set,
         )
         .first_valid_layer()
         .all_attributes()
@@ -53,7 +69,8 @@ fn read_unguarded<R: BufRead + Seek>(
         .from_buffered(&mut *source)
         .map_err(problem)?;
     let size = picture_size(image.layer_data.size)?;
-    Ok(Picture::new(size, Samples::Float(image.layer_data.channel_data.pixels.values)))
+    let Pixels { values, alpha, .. } = image.layer_data.channel_data.pixels;
+    Ok(Picture::new(size, Samples::Float(values)).with_alpha(alpha))
 }
 
 fn picture_size(size: Vec2<usize>) -> Result<PictureSize, DecodeProblem> {

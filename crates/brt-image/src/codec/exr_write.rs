@@ -1,4 +1,4 @@
-//! Writes `OpenEXR`: 32-bit float RGB and named layers, in scan-line blocks as they come.
+//! Writes `OpenEXR`: 32-bit float RGB, alpha and named layers, in scan-line blocks as they come.
 //!
 //! The exr crate compresses the blocks and writes the header; its own file writer works only
 //! from inside a closure and a seekable file, so the order of the file is kept here: header,
@@ -24,11 +24,11 @@ use exr::meta::{BlockDescription, MetaData, magic_number};
 use rayon::prelude::*;
 
 use super::error::EncodeError;
-use super::format::BandWriter;
+use super::format::{BandWriter, Channels};
 use super::rows::RowCount;
 use super::sink::Sink;
 use super::work_clock::WorkClock;
-use crate::PictureSize;
+use crate::{PictureSize, PixelRows};
 
 /// Blocks compressed together: enough for the threads of a desktop.
 const BLOCKS_AT_ONCE: usize = 16;
@@ -36,6 +36,7 @@ const BLOCKS_AT_ONCE: usize = 16;
 const BLOCK_HEAD_BYTES: u64 = 8;
 /// The names of the picture's own channels.
 const COLOR_NAMES: [&str; 3] = ["R", "G", "B"];
+const ALPHA_NAME: &str = "A";
 
 /// Names of the channels stored beside R, G and B, such as `depth.Z` or `normal.X`.
 ///
@@ -50,6 +51,12 @@ impl ExrLayers {
     /// These channels.
     pub fn new<N: Into<String>>(names: impl IntoIterator<Item = N>) -> Self {
         Self { names: names.into_iter().map(Into::into).collect() }
+    }
+
+    /// These channels, after alpha if the picture has it: to the format it is one more.
+    pub fn beside<N: Into<String>>(channels: Channels, names: impl IntoIterator<Item = N>) -> Self {
+        let alpha = (channels == Channels::Rgba).then(|| ALPHA_NAME.to_owned());
+        Self { names: alpha.into_iter().chain(names.into_iter().map(Into::into)).collect() }
     }
 }
 
@@ -197,8 +204,8 @@ impl ExrEncoder {
 }
 
 impl BandWriter for ExrEncoder {
-    fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
-        self.write_with_layers(rows, &[])
+    fn write_pixels(&mut self, rows: PixelRows<'_>) -> Result<(), EncodeError> {
+        self.write_with_layers(rows.colors, rows.alpha.as_slice())
     }
 
     fn seconds(&self) -> f64 {

@@ -7,17 +7,17 @@ use super::exr_write::{ExrEncoder, ExrLayers};
 use super::png_write::PngEncoder;
 use super::pnm_write::PpmEncoder;
 use super::sink::Sink;
-use crate::{PictureSize, Transfer};
+use crate::{PictureSize, PixelRows, Transfer};
 
 /// A picture file format that can be written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PictureFormat {
-    /// Portable Network Graphics, RGB.
+    /// Portable Network Graphics, RGB or RGBA.
     #[default]
     Png,
-    /// Portable pixmap, binary (P6).
+    /// Portable pixmap, binary (P6); has no alpha.
     Ppm,
-    /// `OpenEXR`, 32-bit float RGB and further layers.
+    /// `OpenEXR`, 32-bit float RGB or RGBA, and further layers.
     Exr,
 }
 
@@ -41,6 +41,21 @@ impl PictureFormat {
             Self::Exr => "exr",
         }
     }
+
+    /// Can it hold an alpha?
+    pub const fn has_alpha(self) -> bool {
+        !matches!(self, Self::Ppm)
+    }
+}
+
+/// What a pixel is made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Channels {
+    /// Red, green and blue.
+    #[default]
+    Rgb,
+    /// And alpha. It is linear; PNG has straight colours beside it, EXR premultiplied ones, as is usual for each.
+    Rgba,
 }
 
 /// Bits of a channel in an integer format.
@@ -76,6 +91,8 @@ pub struct Encoding {
     pub transfer: Transfer,
     /// Of PNG; EXR has one of its own, PPM none.
     pub compression: Compression,
+    /// With alpha or without; PPM has none.
+    pub channels: Channels,
 }
 
 impl Encoding {
@@ -92,11 +109,19 @@ impl Encoding {
 ///
 /// Dropped without [`BandWriter::finish`], or after an error, it leaves no file behind.
 pub trait BandWriter: Send {
-    /// Encodes the next rows: linear RGB, any number of whole rows.
+    /// Encodes the next rows, any number of whole ones, with alpha or without as it was asked for.
     ///
     /// # Errors
     /// If the rows do not fit the picture or the sink fails.
-    fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError>;
+    fn write_pixels(&mut self, rows: PixelRows<'_>) -> Result<(), EncodeError>;
+
+    /// Encodes the next rows of a picture without alpha: linear RGB.
+    ///
+    /// # Errors
+    /// If the rows do not fit the picture or the sink fails.
+    fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
+        self.write_pixels(PixelRows::opaque(rows))
+    }
 
     /// Completes the file and puts it in place.
     ///
@@ -113,17 +138,20 @@ pub trait BandWriter: Send {
 /// Large bands are worked on in parallel, by the rayon pool of the calling thread.
 ///
 /// # Errors
-/// If the format cannot hold the size or the sink fails.
+/// If the format cannot hold the size or alpha, or the sink fails.
 pub fn encoder(
     sink: Box<dyn Sink>,
     size: PictureSize,
     encoding: Encoding,
 ) -> Result<Box<dyn BandWriter>, EncodeError> {
-    let Encoding { format, depth, transfer, compression } = encoding;
-    Ok(match format {
-        PictureFormat::Png => Box::new(PngEncoder::new(sink, size, depth, transfer, compression)?),
-        PictureFormat::Ppm => Box::new(PpmEncoder::new(sink, size, depth, transfer)?),
-        PictureFormat::Exr => Box::new(ExrEncoder::new(sink, size, &ExrLayers::default())?),
+    Ok(match (encoding.format, encoding.channels) {
+        (PictureFormat::Png, Channels::Rgb) => Box::new(PngEncoder::<3>::new(sink, size, encoding)?),
+        (PictureFormat::Png, Channels::Rgba) => Box::new(PngEncoder::<4>::new(sink, size, encoding)?),
+        (PictureFormat::Ppm, Channels::Rgb) => Box::new(PpmEncoder::new(sink, size, encoding)?),
+        (PictureFormat::Ppm, Channels::Rgba) => return Err(EncodeError::NoAlpha { format: "PPM" }),
+        (PictureFormat::Exr, channels) => {
+            Box::new(ExrEncoder::new(sink, size, &ExrLayers::beside::<String>(channels, []))?)
+        }
     })
 }
 

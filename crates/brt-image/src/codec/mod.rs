@@ -20,13 +20,15 @@ mod target;
 mod work_clock;
 
 #[cfg(test)]
+mod alpha_tests;
+#[cfg(test)]
 mod mutation_tests;
 #[cfg(test)]
 mod round_trip_tests;
 
 pub use error::{DecodeError, DecodeProblem, EncodeError};
 pub use exr_write::{ExrEncoder, ExrLayers};
-pub use format::{BandWriter, BitDepth, Compression, Encoding, PictureFormat, encoder};
+pub use format::{BandWriter, BitDepth, Channels, Compression, Encoding, PictureFormat, encoder};
 pub use read::{PictureLimits, decode_picture, read_picture};
 pub use sink::{PlainSink, Sink};
 pub use target::{AtomicFile, Target};

@@ -1,4 +1,4 @@
-//! Reads PNG: grey, colour and palette, 1 to 16 bits, interlaced or not.
+//! Reads PNG: grey, colour and palette, with alpha or without, 1 to 16 bits, interlaced or not.
 
 use std::io::{BufRead, Seek};
 
@@ -29,8 +29,22 @@ pub(crate) fn read<R: BufRead + Seek>(source: R, limits: PictureLimits) -> Resul
         return Err(DecodeProblem::malformed("PNG", "the first frame is not the whole picture"));
     }
     let channels = frame.color_type.samples();
-    let samples = samples(&pixels[..frame.buffer_size()], &frame, channels)?;
-    Ok(Picture::new(size, samples))
+    let bytes = &pixels[..frame.buffer_size()];
+    let samples = samples(bytes, &frame, channels)?;
+    Ok(Picture::new(size, samples).with_alpha(alpha(bytes, &frame, channels)))
+}
+
+/// The last of two or four channels, in steps.
+fn alpha(bytes: &[u8], frame: &OutputInfo, channels: usize) -> Option<Vec<f32>> {
+    if !channels.is_multiple_of(2) {
+        return None;
+    }
+    if frame.bit_depth == BitDepth::Sixteen {
+        let last = |p: &[u8]| f32::from(u16::from_be_bytes([p[2 * channels - 2], p[2 * channels - 1]]));
+        return Some(bytes.chunks_exact(2 * channels).map(last).collect());
+    }
+    let last = |p: &[u8]| f32::from(u16::from(p[channels - 1]) * 257);
+    Some(bytes.chunks_exact(channels).map(last).collect())
 }
 
 fn samples(bytes: &[u8], frame: &OutputInfo, channels: usize) -> Result<Samples, DecodeProblem> {

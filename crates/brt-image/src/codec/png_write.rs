@@ -1,4 +1,4 @@
-//! Writes PNG: RGB with 8 or 16 bits, on all threads of the calling pool.
+//! Writes PNG: RGB or RGBA with 8 or 16 bits, on all threads of the calling pool.
 //!
 //! Rows are gathered to segments whose height follows from the width alone, so the bytes of a file depend neither on
 //! threads nor on bands. A segment is quantised, filtered and compressed by one thread while it is in its cache.
@@ -20,14 +20,14 @@ use rayon::prelude::*;
 
 use super::deflate::{Checksum, Deflate, ZLIB_HEADER};
 use super::error::EncodeError;
-use super::format::{BandWriter, BitDepth, Compression};
+use super::format::{BandWriter, BitDepth, Channels, Compression, Encoding};
 use super::latch::Latch;
 use super::png_filter::{FilterChoice, RowFilter, filter_row};
 use super::pnm_write::SampleBytes;
 use super::rows::RowCount;
 use super::sink::Sink;
 use super::work_clock::WorkClock;
-use crate::{PictureSize, Transfer};
+use crate::{PictureSize, PixelRows, Transfer, straight};
 
 /// Bytes of a segment before it is compressed, about: large beside what each costs, small beside a cache.
 const SEGMENT_BYTES: usize = 1 << 18;
@@ -36,8 +36,8 @@ const SEGMENT_ROWS: usize = 128;
 /// Segments worked on together: enough for the threads of a desktop.
 const SEGMENTS_AT_ONCE: usize = 32;
 
-/// Streams a PNG file.
-pub(crate) struct PngEncoder {
+/// Streams a PNG file of pixels with so many channels: 3, or 4 with alpha.
+pub(crate) struct PngEncoder<const N: usize> {
     writer: Writer<Latch>,
     latch: Latch,
     rows: RowCount,
@@ -45,9 +45,9 @@ pub(crate) struct PngEncoder {
     /// Rows of a segment.
     segment_rows: usize,
     /// Rows of a segment that is not complete.
-    waiting: Vec<[f32; 3]>,
+    waiting: Vec<[f32; N]>,
     /// The last row of the last complete segment; empty if there is none.
-    above: Vec<[f32; 3]>,
+    above: Vec<[f32; N]>,
     checksum: Checksum,
     /// Buffers, kept.
     segments: Vec<Segment>,
@@ -72,40 +72,38 @@ struct Segment {
     checksum: u32,
 }
 
-impl PngEncoder {
+impl<const N: usize> PngEncoder<N> {
     /// Writes the header.
     pub(crate) fn new(
         sink: Box<dyn Sink>,
         size: PictureSize,
-        depth: BitDepth,
-        transfer: Transfer,
-        compression: Compression,
+        encoding: Encoding,
     ) -> Result<Self, EncodeError> {
         let rows = RowCount::new(size, "PNG")?;
         let (writer, latch) = Latch::pair(sink);
         let mut png = Encoder::new(writer, size.width, size.height);
-        png.set_color(ColorType::Rgb);
-        png.set_depth(match depth {
+        png.set_color(if N == 4 { ColorType::Rgba } else { ColorType::Rgb });
+        png.set_depth(match encoding.depth {
             BitDepth::Eight => png::BitDepth::Eight,
             BitDepth::Sixteen => png::BitDepth::Sixteen,
         });
-        match transfer {
+        match encoding.transfer {
             Transfer::Srgb => png.set_source_srgb(SrgbRenderingIntent::Perceptual),
             Transfer::Linear => png.set_source_gamma(ScaledFloat::new(1.0)),
         }
         let writer = png.write_header().map_err(|e| refused(&e))?;
         latch.check()?;
-        let (filter, deflate) = match compression {
+        let (filter, deflate) = match encoding.compression {
             Compression::Fast => (FilterChoice::Always(RowFilter::Paeth), Deflate::Runs),
             Compression::Balanced => (FilterChoice::Always(RowFilter::Up), Deflate::Level(2)),
             Compression::Small => (FilterChoice::Adaptive, Deflate::Level(6)),
         };
-        let samples = SampleBytes::new(depth, transfer);
+        let samples = SampleBytes::new(encoding);
         Ok(Self {
             writer,
             latch,
             rows,
-            segment_rows: segment_rows(rows.width() * samples.pixel_bytes()),
+            segment_rows: segment_rows(rows.width() * samples.pixel_bytes(N)),
             format: RowFormat { samples, filter, deflate },
             waiting: Vec::new(),
             above: Vec::new(),
@@ -116,14 +114,14 @@ impl PngEncoder {
     }
 
     /// Compresses and writes segments that follow each other; `above` is the row above the first, if there is one.
-    fn write_segments(&mut self, segments: &[&[[f32; 3]]], above: &[[f32; 3]]) -> Result<(), EncodeError> {
+    fn write_segments(&mut self, segments: &[&[[f32; N]]], above: &[[f32; N]]) -> Result<(), EncodeError> {
         let width = self.rows.width();
         let above = |i: usize| if i == 0 { above } else { &segments[i - 1][segments[i - 1].len() - width..] };
         let Self { format, clock, .. } = self;
         if self.segments.len() < segments.len() {
             self.segments.resize_with(segments.len(), Segment::default);
         }
-        let compress = |(buffer, (i, rows)): (&mut Segment, (usize, &&[[f32; 3]]))| {
+        let compress = |(buffer, (i, rows)): (&mut Segment, (usize, &&[[f32; N]]))| {
             clock.time(|| buffer.compress(*format, rows, above(i), width))
         };
         if let ([buffer, ..], [rows]) = (&mut self.segments[..], segments) {
@@ -144,7 +142,7 @@ impl PngEncoder {
     }
 
     /// Moves rows from the front of `rows` to those that wait, and writes these if they are a segment then.
-    fn complete_waiting<'r>(&mut self, rows: &'r [[f32; 3]]) -> Result<&'r [[f32; 3]], EncodeError> {
+    fn complete_waiting<'r>(&mut self, rows: &'r [[f32; N]]) -> Result<&'r [[f32; N]], EncodeError> {
         let missing = self.segment_rows * self.rows.width() - self.waiting.len();
         let (front, rest) = rows.split_at(missing.min(rows.len()));
         self.waiting.extend_from_slice(front);
@@ -164,9 +162,28 @@ impl PngEncoder {
         Ok(())
     }
 
-    fn keep_above(&mut self, segment: &[[f32; 3]]) {
+    fn keep_above(&mut self, segment: &[[f32; N]]) {
         self.above.clear();
         self.above.extend_from_slice(&segment[segment.len() - self.rows.width()..]);
+    }
+
+    /// Takes rows that were counted.
+    fn add(&mut self, rows: &[[f32; N]]) -> Result<(), EncodeError> {
+        let mut rest = rows;
+        if !self.waiting.is_empty() {
+            rest = self.complete_waiting(rest)?;
+        }
+        let segment = self.segment_rows * self.rows.width();
+        let (whole, rest) = rest.split_at(rest.len() / segment * segment);
+        for together in whole.chunks(segment * SEGMENTS_AT_ONCE) {
+            let segments: Vec<_> = together.chunks_exact(segment).collect();
+            let above = std::mem::take(&mut self.above);
+            self.write_segments(&segments, &above)?;
+            self.above = above;
+            self.keep_above(together);
+        }
+        self.waiting.extend_from_slice(rest);
+        Ok(())
     }
 }
 
@@ -177,15 +194,15 @@ fn segment_rows(row_bytes: usize) -> usize {
 }
 
 impl Segment {
-    fn compress(
+    fn compress<const N: usize>(
         &mut self,
         format: RowFormat,
-        rows: &[[f32; 3]],
-        above: &[[f32; 3]],
+        rows: &[[f32; N]],
+        above: &[[f32; N]],
         width: usize,
     ) -> Result<(), EncodeError> {
         let RowFormat { samples, filter, deflate } = format;
-        let step = samples.pixel_bytes();
+        let step = samples.pixel_bytes(N);
         let [before, now] = &mut self.rows;
         before.resize(width * step, 0);
         now.resize(width * step, 0);
@@ -214,23 +231,24 @@ fn refused(error: &dyn std::fmt::Display) -> EncodeError {
     EncodeError::Library { format: "PNG", message: error.to_string() }
 }
 
-impl BandWriter for PngEncoder {
-    fn write(&mut self, rows: &[[f32; 3]]) -> Result<(), EncodeError> {
-        let after = self.rows.after(rows.len())?;
-        let mut rest = rows;
-        if !self.waiting.is_empty() {
-            rest = self.complete_waiting(rest)?;
+/// A pixel as PNG has it: the colour is that of what covers the pixel, however little that is.
+fn with_alpha<const N: usize>(color: [f32; 3], alpha: f32) -> [f32; N] {
+    let color = straight(color, alpha);
+    std::array::from_fn(|i| *color.get(i).unwrap_or(&alpha))
+}
+
+impl<const N: usize> BandWriter for PngEncoder<N> {
+    fn write_pixels(&mut self, rows: PixelRows<'_>) -> Result<(), EncodeError> {
+        let channels = if N == 4 { Channels::Rgba } else { Channels::Rgb };
+        let after = self.rows.after_pixels(&rows, channels)?;
+        match rows.alpha {
+            None => self.add(rows.colors.as_flattened().as_chunks().0)?,
+            Some(alpha) => {
+                let pixels = rows.colors.iter().zip(alpha).map(|(&color, &alpha)| with_alpha(color, alpha));
+                let pixels: Vec<_> = self.clock.time(|| pixels.collect());
+                self.add(&pixels)?;
+            }
         }
-        let segment = self.segment_rows * self.rows.width();
-        let (whole, rest) = rest.split_at(rest.len() / segment * segment);
-        for together in whole.chunks(segment * SEGMENTS_AT_ONCE) {
-            let segments: Vec<_> = together.chunks_exact(segment).collect();
-            let above = std::mem::take(&mut self.above);
-            self.write_segments(&segments, &above)?;
-            self.above = above;
-            self.keep_above(together);
-        }
-        self.waiting.extend_from_slice(rest);
         self.rows = after;
         Ok(())
     }

@@ -36,7 +36,7 @@ impl PictureLimits {
     }
 }
 
-/// Reads a PNG, PPM, PGM or EXR file, known by its first bytes. Transparency is ignored.
+/// Reads a PNG, PPM, PGM or EXR file, known by its first bytes.
 ///
 /// # Errors
 /// If the file cannot be read, is damaged, of another format, or larger than the limits allow.

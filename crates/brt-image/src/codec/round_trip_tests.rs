@@ -23,9 +23,15 @@ pub(crate) fn test_picture(size: PictureSize) -> Image {
 
 /// A sink in memory whose bytes can be looked at when it is committed.
 #[derive(Clone, Default)]
-struct Memory {
+pub(crate) struct Memory {
     bytes: Arc<Mutex<Vec<u8>>>,
     fails_after: Option<usize>,
+}
+
+impl Memory {
+    pub(crate) fn bytes(&self) -> Vec<u8> {
+        self.bytes.lock().unwrap().clone()
+    }
 }
 
 impl Write for Memory {
@@ -82,8 +88,7 @@ pub(crate) fn encoded(image: &Image, encoding: Encoding, rows: u32) -> Vec<u8> {
     let memory = Memory::default();
     let sink = Box::new(memory.clone());
     write_in_bands(encoder(sink, image.size(), encoding).unwrap(), image, rows).unwrap();
-    let bytes = memory.bytes.lock().unwrap();
-    bytes.clone()
+    memory.bytes()
 }
 
 fn encoded_file(path: &Path, image: &Image, encoding: Encoding, rows: u32) -> Vec<u8> {

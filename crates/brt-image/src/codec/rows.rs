@@ -1,7 +1,8 @@
 //! Counts the rows an encoder has been given.
 
 use super::error::EncodeError;
-use crate::PictureSize;
+use super::format::Channels;
+use crate::{PictureSize, PixelRows};
 
 /// How much of a picture has come.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +46,19 @@ impl RowCount {
             return Err(EncodeError::RowCount { expected: size.height, given });
         }
         Ok(Self { size, given })
+    }
+
+    /// The same for pixels whose alpha comes beside them, or not.
+    ///
+    /// # Errors
+    /// If the band is no number of whole rows, or too many, or alpha is missing or too much.
+    pub(crate) fn after_pixels(&self, rows: &PixelRows<'_>, channels: Channels) -> Result<Self, EncodeError> {
+        let given = rows.alpha.map_or(0, <[f32]>::len);
+        let expected = if channels == Channels::Rgba { rows.colors.len() } else { 0 };
+        if given != expected {
+            return Err(EncodeError::AlphaCount { expected, given });
+        }
+        self.after(rows.colors.len())
     }
 
     /// Has the whole picture come?

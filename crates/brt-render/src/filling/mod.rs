@@ -4,6 +4,9 @@ use crate::products::{Block, SampleState, Tile, TileSamples};
 
 /// Fills all samples of a block that have no colour yet, bilinearly from its corners.
 pub(crate) fn fill_bilinear(tile: &Tile, samples: &mut TileSamples, block: &Block) {
+    if samples.alpha.is_some() {
+        fill_alpha(tile, samples, block);
+    }
     let corner = block.corners().map(|[x, y]| samples.color[tile.index(x, y)]);
     let share = |i: u32, a: u32, b: u32| if b > a { (i - a) as f32 / (b - a) as f32 } else { 0.0 };
     for y in block.y0..=block.y1 {
@@ -19,6 +22,14 @@ pub(crate) fn fill_bilinear(tile: &Tile, samples: &mut TileSamples, block: &Bloc
                 samples.state[row + i] = SampleState::Filled;
             }
         }
+    }
+}
+
+/// The corners have one ray history, and so one alpha.
+fn fill_alpha(tile: &Tile, samples: &mut TileSamples, block: &Block) {
+    let corner = tile.index(block.x0, block.y0);
+    for y in block.y0..=block.y1 {
+        samples.spread_alpha(corner, tile.index(block.x0, y)..tile.index(block.x1, y) + 1);
     }
 }
 

@@ -145,7 +145,9 @@ fn fill_region(worker: &mut TileWorker, tile: &Tile, block: &Block, region: &Reg
     let samples = &mut worker.samples;
     let color = LinearColor::through(tile, samples, &region.points);
     let [x, y] = region.points[0];
-    let history = samples.history[tile.index(x, y)];
+    let first = tile.index(x, y);
+    let history = samples.history[first];
+    let alpha = samples.alpha.as_ref().map(|alpha| alpha[first]);
     for (y, row) in (block.y0..).zip(rows(block, tile)) {
         let start = row.start;
         for i in row {
@@ -153,6 +155,9 @@ fn fill_region(worker: &mut TileWorker, tile: &Tile, block: &Block, region: &Reg
                 samples.color[i] = color.at(block.x0 + (i - start) as u32, y);
                 samples.state[i] = SampleState::Filled;
                 samples.history[i] = history;
+                if let (Some(all), Some(alpha)) = (&mut samples.alpha, alpha) {
+                    all[i] = alpha;
+                }
             }
         }
     }

@@ -54,7 +54,12 @@ pub(crate) fn render_reference(worker: &mut TileWorker, tile: &Tile, scene: &Pre
         for x in 0..tile.width {
             let ray = worker.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
             let index = tile.index(x, y);
-            worker.samples.color[index] = reference_sample(scene, &ray, max_depth).to_f32();
+            let background = worker.tracer.color_of_nothing();
+            let (color, share) = reference_sample(scene, &ray, max_depth, background);
+            worker.samples.color[index] = color.to_f32();
+            if let Some(alpha) = &mut worker.samples.alpha {
+                alpha[index] = (1.0 - share) as f32;
+            }
             worker.samples.state[index] = SampleState::Traced;
         }
     }

@@ -9,7 +9,7 @@ use brt_image::Rgb;
 
 use super::worker::{First, TileWorker};
 use crate::products::{Area, NOTHING, SampleState, StageClock, Tile};
-use crate::tracing::PencilTracer;
+use crate::tracing::{PencilTracer, constant};
 
 /// Settings of pencil tracing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +78,7 @@ fn even_color(
     let primitive = only_primitive(worker, tile, area)?;
     let [x, y] = area.coordinates();
     let color = match primitive {
-        NOTHING => tracer.background(),
+        NOTHING => constant(worker.tracer.color_of_nothing()),
         primitive => tracer.color(&worker.camera.ray(x, y), primitive)?,
     };
     let remainder = color.r.e.max(color.g.e).max(color.b.e);

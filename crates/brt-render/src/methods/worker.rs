@@ -48,12 +48,12 @@ impl<'a> TileWorker<'a> {
     }
 
     pub(crate) fn new(job: &Job<'a>, rays: RayOrder) -> Self {
-        let Settings { history, layers, .. } = job.settings;
+        let Settings { history, layers, backdrop, .. } = job.settings;
         let wants_histories = layers.contains(&Layer::History);
         Self {
-            tracer: Tracer::new(job.scene, *history, job.max_depth),
+            tracer: Tracer::new(job.scene, *history, job.max_depth, *backdrop),
             camera: job.camera,
-            samples: TileSamples::default(),
+            samples: TileSamples { alpha: backdrop.has_alpha().then(Vec::new), ..TileSamples::default() },
             perspective: PerspectiveImage::default(),
             wants_histories,
             wants_causes: layers.contains(&Layer::Certificates),
@@ -83,6 +83,9 @@ impl<'a> TileWorker<'a> {
         let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
         let traced = self.tracer.trace(&ray, first, guide);
         self.samples.color[index] = traced.color.to_f32();
+        if let Some(alpha) = &mut self.samples.alpha {
+            alpha[index] = traced.alpha;
+        }
         self.samples.history[index] = traced.history;
         self.samples.state[index] = SampleState::Traced;
     }
@@ -140,6 +143,22 @@ impl<'a> TileWorker<'a> {
             let index = tile.index(x, y);
             self.samples.color[index] = color_at(&self.colors, i).to_f32();
             self.samples.state[index] = state;
+        }
+        if let Some(alpha) = &mut self.samples.alpha {
+            for (&[x, y], traced) in samples.iter().zip(self.tracer.alphas()) {
+                alpha[tile.index(x, y)] = *traced;
+            }
+        }
+    }
+
+    /// Leaves those samples open that see nothing by the perspective image, however they will be filled. The others are
+    /// covered, unless a ray finds a way through.
+    pub(crate) fn open_background(&mut self) {
+        let Some(alpha) = &mut self.samples.alpha else { return };
+        for (alpha, &primitive) in alpha.iter_mut().zip(&self.perspective.primitive) {
+            if primitive == NOTHING {
+                *alpha = 0.0;
+            }
         }
     }
 

@@ -31,13 +31,14 @@ impl Filter {
     }
 }
 
-/// Shares of a tile's samples in pixels: its own and, with wide filters, those around it.
-pub(crate) struct TileColors {
+/// Shares of a tile's samples in pixels: its own and, with wide filters, those around it. Colours have three channels,
+/// alpha has one.
+pub(crate) struct TileShares<const N: usize> {
     /// First pixel column and row; may be −1.
     pub(crate) x: i64,
     pub(crate) y: i64,
     pub(crate) width: u32,
-    pub(crate) colors: Vec<[f32; 3]>,
+    pub(crate) values: Vec<[f32; N]>,
 }
 
 /// Applies a filter without margin to a tile, whose part of the picture's rows is given.
@@ -54,43 +55,53 @@ pub(crate) fn reduce_into(
         }
         return;
     }
-    let TileColors { width, colors, .. } = reduce(filter, grid, tile, samples);
-    for (row, colors) in rows.iter_mut().zip(colors.chunks_exact(width as usize)) {
+    let TileShares { width, values, .. } = reduce(filter, grid, tile, samples);
+    for (row, colors) in rows.iter_mut().zip(values.chunks_exact(width as usize)) {
         row.copy_from_slice(colors);
     }
 }
 
 /// Applies the filter to a tile.
-pub(crate) fn reduce(filter: Filter, grid: &SampleGrid, tile: &Tile, samples: &[[f32; 3]]) -> TileColors {
+pub(crate) fn reduce<const N: usize>(
+    filter: Filter,
+    grid: &SampleGrid,
+    tile: &Tile,
+    samples: &[[f32; N]],
+) -> TileShares<N> {
     let n = grid.per_side;
     let margin = filter.margin();
     let (width, height) = (tile.width / n + 2 * margin, tile.height / n + 2 * margin);
     let (x, y) = (i64::from(tile.x / n) - i64::from(margin), i64::from(tile.y / n) - i64::from(margin));
     if n == 1 && filter == Filter::Box {
-        return TileColors { x, y, width, colors: samples.to_vec() };
+        return TileShares { x, y, width, values: samples.to_vec() };
     }
     // Separable: first along rows of samples, then down the columns.
     let along = Axis::new(filter, n, x, width, tile.width, grid.width);
     let down = Axis::new(filter, n, y, height, tile.height, grid.height);
-    let mut rows = vec![[0.0_f64; 3]; (width * tile.height) as usize];
+    let mut rows = vec![[0.0_f64; N]; (width * tile.height) as usize];
     for (row, sums) in samples.chunks_exact(tile.width as usize).zip(rows.chunks_exact_mut(width as usize)) {
         for share in &along.shares {
             add(&mut sums[share.pixel], row[share.sample].map(f64::from), share.weight);
         }
     }
-    let mut colors = vec![[0.0_f64; 3]; (width * height) as usize];
+    let mut values = vec![[0.0_f64; N]; (width * height) as usize];
     for share in &down.shares {
         for column in 0..width as usize {
             let source = rows[share.sample * width as usize + column];
-            add(&mut colors[share.pixel * width as usize + column], source, share.weight);
+            add(&mut values[share.pixel * width as usize + column], source, share.weight);
         }
     }
-    let colors = colors.into_iter().map(|c| c.map(|v| v as f32)).collect();
-    TileColors { x, y, width, colors }
+    let values = values.into_iter().map(|c| c.map(|v| v as f32)).collect();
+    TileShares { x, y, width, values }
+}
+
+/// The same for alpha.
+pub(crate) fn reduce_alpha(filter: Filter, grid: &SampleGrid, tile: &Tile, samples: &[f32]) -> TileShares<1> {
+    reduce(filter, grid, tile, samples.as_chunks::<1>().0)
 }
 
 #[inline(always)]
-fn add(sum: &mut [f64; 3], value: [f64; 3], weight: f64) {
+fn add<const N: usize>(sum: &mut [f64; N], value: [f64; N], weight: f64) {
     for (s, v) in sum.iter_mut().zip(value) {
         *s += v * weight;
     }
@@ -151,7 +162,7 @@ mod tests {
             for column in 0..grid.tiles_wide() {
                 let tile = Tile::at(&grid, column, band);
                 let part = reduce(filter, &grid, &tile, &vec![[1.0; 3]; tile.sample_count()]);
-                for (i, c) in part.colors.iter().enumerate() {
+                for (i, c) in part.values.iter().enumerate() {
                     let (x, y) = (
                         part.x + i64::from(i as u32 % part.width),
                         part.y + i64::from(i as u32 / part.width),
@@ -181,6 +192,6 @@ mod tests {
         let tile = Tile::at(&grid, 0, 0);
         let samples = [[0.0; 3], [1.0; 3], [2.0; 3], [5.0; 3]];
         // (0 + 1 + 2 + 5) / 4
-        assert_eq!(reduce(Filter::Box, &grid, &tile, &samples).colors, [[2.0; 3]]);
+        assert_eq!(reduce(Filter::Box, &grid, &tile, &samples).values, [[2.0; 3]]);
     }
 }

@@ -5,9 +5,9 @@ mod filter;
 mod layers;
 mod sink;
 
-pub(crate) use band::{BandAssembler, TilePicture};
+pub(crate) use band::{BandAssembler, FullTile, TilePicture};
 pub use filter::Filter;
-pub(crate) use filter::{TileColors, reduce, reduce_into};
+pub(crate) use filter::{TileShares, reduce, reduce_alpha, reduce_into};
 pub use layers::{Layer, LayerRows};
 pub(crate) use layers::{LayerSources, tile_layer};
 pub use sink::{Rows, Sink, SinkError};

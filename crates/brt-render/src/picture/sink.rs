@@ -1,5 +1,7 @@
 //! Where finished rows go.
 
+use brt_image::PixelRows;
+
 use super::layers::LayerRows;
 
 /// Finished rows of the picture.
@@ -9,11 +11,15 @@ pub struct Rows {
     pub first: u32,
     /// Pixels per row.
     pub width: u32,
-    /// Linear RGB, row by row, not clamped.
+    /// Linear RGB, row by row, not clamped. Without a background this is what the rest adds to a pixel: times alpha.
     pub colors: Vec<[f32; 3]>,
+    /// How much of each pixel is covered, if the [backdrop](crate::Backdrop) is transparent.
+    pub alpha: Option<Vec<f32>>,
     /// The same rows by full ray tracing; means something in those that [`Settings::checked`](crate::Settings) asks
     /// for. `None` if that is none.
     pub full: Option<Vec<[f32; 3]>>,
+    /// Alpha by full ray tracing, if there are both.
+    pub full_alpha: Option<Vec<f32>>,
     /// The layers that were asked for, in that order.
     pub layers: Vec<LayerRows>,
 }
@@ -22,6 +28,17 @@ impl Rows {
     /// Number of rows.
     pub fn count(&self) -> u32 {
         self.colors.len() as u32 / self.width
+    }
+
+    /// The picture's pixels.
+    pub fn pixels(&self) -> PixelRows<'_> {
+        PixelRows { colors: &self.colors, alpha: self.alpha.as_deref() }
+    }
+
+    /// Those by full ray tracing.
+    pub fn full_pixels(&self) -> Option<PixelRows<'_>> {
+        let colors = self.full.as_deref()?;
+        Some(PixelRows { colors, alpha: self.full_alpha.as_deref() })
     }
 }
 

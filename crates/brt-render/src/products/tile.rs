@@ -1,5 +1,7 @@
 //! Tiles of the picture and the samples in them.
 
+use std::ops::Range;
+
 use super::{Certificate, RayHistory, SampleGrid};
 
 /// How a sample got its colour. Every sample is exactly one of these in the end.
@@ -61,15 +63,32 @@ pub(crate) struct TileSamples {
     pub(crate) cause: Vec<Option<Certificate>>,
     /// Means something where a sample is traced; where it is filled only if histories are shown as a layer.
     pub(crate) history: Vec<RayHistory>,
+    /// How much of each sample is covered; `None` where the background is part of the picture.
+    pub(crate) alpha: Option<Vec<f32>>,
 }
 
 impl TileSamples {
-    /// Makes all samples of a tile pending.
+    /// Makes all samples of a tile pending, and wholly covered.
     pub(crate) fn reset(&mut self, tile: &Tile) {
         let count = tile.sample_count();
         self.color.resize(count, [0.0; 3]);
         self.history.resize(count, RayHistory::default());
         self.state.clear();
         self.state.resize(count, SampleState::Pending);
+        if let Some(alpha) = &mut self.alpha {
+            alpha.clear();
+            alpha.resize(count, 1.0);
+        }
+    }
+
+    /// Gives the samples of a run that are still pending the alpha of another one, if there is alpha.
+    pub(crate) fn spread_alpha(&mut self, from: usize, run: Range<usize>) {
+        let Some(alpha) = &mut self.alpha else { return };
+        let value = alpha[from];
+        for (alpha, state) in alpha[run.clone()].iter_mut().zip(&self.state[run]) {
+            if *state == SampleState::Pending {
+                *alpha = value;
+            }
+        }
     }
 }

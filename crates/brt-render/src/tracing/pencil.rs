@@ -34,7 +34,7 @@ impl PencilTracer<'_> {
     }
 
     /// The background as a colour over a block.
-    pub(crate) fn background(&self) -> Rgb<Taylor> {
+    fn background(&self) -> Rgb<Taylor> {
         constant(self.scene.background)
     }
 

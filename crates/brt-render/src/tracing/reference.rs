@@ -10,25 +10,37 @@ use super::search::{FROM_NOWHERE, Met};
 use super::see_through::MOST_CROSSED;
 use crate::products::{PreparedLight, PreparedScene};
 
-/// Colour along a camera ray.
-pub(crate) fn reference_sample(scene: &PreparedScene, ray: &Ray, max_depth: u32) -> Rgb {
+/// Colour along a camera ray before this colour, and the share of it that is seen.
+pub(crate) fn reference_sample(
+    scene: &PreparedScene,
+    ray: &Ray,
+    max_depth: u32,
+    background: Rgb,
+) -> (Rgb, f64) {
     let mut rays_left = MOST_RAYS_PER_SAMPLE;
-    color_along(scene, ray, FROM_NOWHERE, max_depth, &mut rays_left)
+    color_along(scene, ray, FROM_NOWHERE, background, max_depth, &mut rays_left)
 }
 
-fn color_along(scene: &PreparedScene, ray: &Ray, from: u32, bounces_left: u32, rays_left: &mut u32) -> Rgb {
+fn color_along(
+    scene: &PreparedScene,
+    ray: &Ray,
+    from: u32,
+    background: Rgb,
+    bounces_left: u32,
+    rays_left: &mut u32,
+) -> (Rgb, f64) {
     let (mut ray, mut from) = (*ray, from);
     let (mut color, mut share) = (Rgb::BLACK, 1.0);
     loop {
         let Some(met) = nearest(scene, &ray, from, f64::INFINITY, |_| true) else {
-            return color + scene.background * share;
+            return (color + background * share, share);
         };
         let here = Interaction::at(scene, &ray, met.primitive, met.t);
         let opacity = here.opacity;
         color = color + surface_color(scene, &ray, &here, bounces_left, rays_left) * (share * opacity);
         share *= 1.0 - opacity;
         if share == 0.0 || *rays_left == 0 {
-            return color;
+            return (color, 0.0);
         }
         *rays_left -= 1;
         (ray, from) = (Ray::new(here.point, ray.direction), met.primitive);
@@ -62,14 +74,17 @@ fn surface_color(
     if mirror_share > 0.0 && *rays_left > 0 {
         *rays_left -= 1;
         let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-        color = color + color_along(scene, &ray, here.primitive, bounces_left - 1, rays_left) * mirror_share;
+        let (seen, _) =
+            color_along(scene, &ray, here.primitive, scene.background, bounces_left - 1, rays_left);
+        color = color + seen * mirror_share;
     }
     if let Some(ray) = through
         && *rays_left > 0
     {
         *rays_left -= 1;
-        let share = here.material.transmission;
-        color = color + color_along(scene, &ray, here.primitive, bounces_left - 1, rays_left) * share;
+        let (seen, _) =
+            color_along(scene, &ray, here.primitive, scene.background, bounces_left - 1, rays_left);
+        color = color + seen * here.material.transmission;
     }
     color
 }

@@ -11,7 +11,7 @@ use super::guide::Unguided;
 use super::interaction::{Interaction, opacity_at};
 use super::tracer::Tracer;
 use crate::products::{NOTHING, PreparedLight, Step};
-use crate::settings::HistoryKind;
+use crate::settings::{Backdrop, HistoryKind};
 
 /// No way to a light is followed through more surfaces; behind them it is dark.
 pub(super) const MOST_CROSSED: u32 = 1 << 12;
@@ -24,7 +24,7 @@ impl Tracer<'_> {
         ray: &Ray,
         here: &Interaction,
         bounces_left: u32,
-        backdrop: Rgb,
+        backdrop: Backdrop,
     ) -> Rgb {
         let mut color = front * here.opacity;
         let mut share = 1.0 - here.opacity;
@@ -34,7 +34,7 @@ impl Tracer<'_> {
             let ray = Ray::new(point, ray.direction);
             let Some(met) = self.search.closest(&ray, from) else {
                 self.history.push(Step::Background);
-                return color + backdrop * share;
+                return color + self.behind(backdrop, share);
             };
             let here = Interaction::at(self.scene, &ray, met.primitive, met.t);
             let layer = self.surface_color(&ray, &here, bounces_left, Unguided);

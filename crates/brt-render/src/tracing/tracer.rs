@@ -4,19 +4,21 @@ use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
-use super::bundle::{Lookup, Rooms};
+use super::bundle::{Lookup, MOST_RAYS, Rooms};
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
 use super::search::{FROM_NOWHERE, Met, Search};
 use crate::products::Step;
 use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
-use crate::settings::HistoryKind;
+use crate::settings::{Backdrop, HistoryKind};
 
 /// What tracing a sample gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TracedSample {
     pub(crate) color: Rgb,
+    /// 1 less the share of the background that is left out.
+    pub(crate) alpha: f32,
     pub(crate) history: RayHistory,
 }
 
@@ -31,11 +33,22 @@ pub(crate) struct Tracer<'a> {
     pub(super) history: RayHistory,
     /// How many mirror and refracted rays may still follow for this sample.
     pub(super) rays_left: u32,
+    /// What camera rays see behind everything.
+    pub(super) backdrop: Backdrop,
+    /// The share of the background that is left out of the sample.
+    pub(super) open_share: f64,
+    /// Alphas of the rays of a bundle, if the backdrop is transparent.
+    pub(super) alphas: [f32; MOST_RAYS],
     pub(crate) counters: Counters,
 }
 
 impl<'a> Tracer<'a> {
-    pub(crate) fn new(scene: &'a PreparedScene, history_kind: HistoryKind, max_depth: u32) -> Self {
+    pub(crate) fn new(
+        scene: &'a PreparedScene,
+        history_kind: HistoryKind,
+        max_depth: u32,
+        backdrop: Backdrop,
+    ) -> Self {
         let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
         Self {
@@ -47,6 +60,9 @@ impl<'a> Tracer<'a> {
             rooms: Rooms::default(),
             history,
             rays_left: 0,
+            backdrop,
+            open_share: 0.0,
+            alphas: [1.0; MOST_RAYS],
             counters,
         }
     }
@@ -65,8 +81,45 @@ impl<'a> Tracer<'a> {
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
         let met = self.seen(ray, FROM_NOWHERE, first);
-        let color = self.color_of(ray, met, self.max_depth, self.scene.background, guide);
-        TracedSample { color, history: self.history }
+        let (color, alpha) = self.seen_by_camera(ray, met, self.max_depth, guide);
+        TracedSample { color, alpha, history: self.history }
+    }
+
+    /// The colour of a camera ray from what it meets on, and its alpha.
+    pub(super) fn seen_by_camera(
+        &mut self,
+        ray: &Ray,
+        met: Option<Met>,
+        bounces_left: u32,
+        guide: impl Guide,
+    ) -> (Rgb, f32) {
+        self.open_share = 0.0;
+        let color = self.color_of(ray, met, bounces_left, self.backdrop, guide);
+        (color, (1.0 - self.open_share) as f32)
+    }
+
+    /// What a share of the backdrop adds to a colour.
+    pub(super) fn behind(&mut self, backdrop: Backdrop, share: f64) -> Rgb {
+        match backdrop {
+            Backdrop::Scene => self.scene.background * share,
+            Backdrop::Transparent => {
+                self.open_share = share;
+                Rgb::BLACK
+            }
+        }
+    }
+
+    /// Alphas of the rays of the last bundle, in their order.
+    pub(crate) fn alphas(&self) -> &[f32] {
+        &self.alphas
+    }
+
+    /// The colour of camera rays that meet nothing.
+    pub(crate) fn color_of_nothing(&self) -> Rgb {
+        match self.backdrop {
+            Backdrop::Scene => self.scene.background,
+            Backdrop::Transparent => Rgb::BLACK,
+        }
     }
 
     #[inline(always)]
@@ -79,18 +132,18 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The colour of a ray from what it meets on, given what is known of it; `backdrop` is what is seen behind everything.
+    /// The colour of a ray from what it meets on, given what is known of it; the backdrop is what it sees behind everything.
     pub(super) fn color_of(
         &mut self,
         ray: &Ray,
         met: Option<Met>,
         bounces_left: u32,
-        backdrop: Rgb,
+        backdrop: Backdrop,
         guide: impl Guide,
     ) -> Rgb {
         let Some(met) = met else {
             self.history.push(Step::Background);
-            return backdrop;
+            return self.behind(backdrop, 1.0);
         };
         let here = Interaction::at(self.scene, ray, met.primitive, met.t);
         let color = self.surface_color(ray, &here, bounces_left, guide);
@@ -155,15 +208,13 @@ impl<'a> Tracer<'a> {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
             let met = self.seen(&ray, here.primitive, guide.mirrored());
-            color =
-                color + self.color_of(&ray, met, left, self.scene.background, guide.next()) * mirror_share;
+            color = color + self.color_of(&ray, met, left, Backdrop::Scene, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
             let met = self.search.closest(&ray, here.primitive);
             color = color
-                + self.color_of(&ray, met, left, self.scene.background, Unguided)
-                    * here.material.transmission;
+                + self.color_of(&ray, met, left, Backdrop::Scene, Unguided) * here.material.transmission;
         }
         color
     }

@@ -69,6 +69,7 @@ fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Set
         max_depth: options.max_depth,
         layers: Vec::new(),
         checked: options.checked(),
+        backdrop: options.view.backdrop(),
     })
 }
 

@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use brt::image::{PixelRows, straight};
 use brt::{
     Layer, LayerRows, RenderError, Rows, Run, SampleState, Scene, Settings, Sink, SinkError, Transfer,
     prepare, render,
@@ -60,7 +61,9 @@ impl Sink for PixelSink {
             first: y,
             width: 1,
             colors: vec![rows.colors[index]],
+            alpha: rows.alpha.as_ref().map(|alpha| vec![alpha[index]]),
             full: rows.full.as_ref().map(|full| vec![full[index]]),
+            full_alpha: rows.full_alpha.as_ref().map(|alpha| vec![alpha[index]]),
             layers: rows.layers.iter().map(|layer| value_at(layer, index)).collect(),
         });
         Err(Box::new(Found))
@@ -102,14 +105,24 @@ fn describe(found: &Rows, scene: &Scene, transfer: Transfer) -> Vec<String> {
         })
     };
     let mut lines: Vec<String> = found.layers.iter().filter_map(layer).collect();
-    lines.push(format!("color    {}", color(found.colors[0], transfer)));
-    if let Some(full) = &found.full {
-        lines.push(format!("full     {}", color(full[0], transfer)));
+    let seen = covering(found.pixels());
+    lines.push(format!("color    {}", color(seen.0, transfer)));
+    lines.extend(found.alpha.iter().map(|_| format!("alpha    {}", seen.1)));
+    if let Some(full) = found.full_pixels().map(covering) {
+        lines.push(format!("full     {}", color(full.0, transfer)));
+        lines.extend(found.full_alpha.iter().map(|_| format!("         alpha {}", full.1)));
         let level = |c: f32| 255.0 * transfer.encode(f64::from(c));
-        let error = |i: usize| (level(found.colors[0][i]) - level(full[0][i])).abs();
-        lines.push(format!("error    {:.3} levels", error(0).max(error(1)).max(error(2))));
+        let colors = seen.0.iter().zip(full.0).map(|(&a, b)| (level(a) - level(b)).abs());
+        let alpha = 255.0 * f64::from(seen.1 - full.1).abs();
+        lines.push(format!("error    {:.3} levels", colors.fold(alpha, f64::max)));
     }
     lines
+}
+
+/// The colour of what covers a single pixel, and its alpha.
+fn covering(pixel: PixelRows) -> ([f32; 3], f32) {
+    let alpha = pixel.alpha.map_or(1.0, |alpha| alpha[0]);
+    (straight(pixel.colors[0], alpha), alpha)
 }
 
 fn surface(id: u32, scene: &Scene) -> String {

@@ -1,7 +1,7 @@
 //! `--sheet`: four views of a scene in one picture.
 
 use brt::framing::View;
-use brt::image::encoder;
+use brt::image::{PixelRows, encoder};
 use brt::{Given, PictureSize, Rows, Run, Scene, Settings};
 
 use super::failure;
@@ -33,27 +33,47 @@ pub(super) fn render(
             cell(options, scene, given, views[i], &Settings { size, ..settings.clone() })
         };
         let cells = [cell(0)?, cell(1)?];
-        let [left, right] = halves(width).map(|width| width as usize);
-        for (left, right) in cells[0].chunks_exact(left).zip(cells[1].chunks_exact(right)) {
-            file.write(&[left, right].concat())?;
+        let widths = halves(width);
+        for row in 0..height as usize {
+            let [left, right] = [0, 1].map(|i| cells[i].row(row, widths[i] as usize));
+            let colors = [left.colors, right.colors].concat();
+            let alpha = left.alpha.zip(right.alpha).map(|(left, right)| [left, right].concat());
+            file.write_pixels(PixelRows { colors: &colors, alpha: alpha.as_deref() })?;
         }
     }
     Ok(file.finish()?)
 }
 
 /// The pixels of one view.
+struct Cell {
+    colors: Vec<[f32; 3]>,
+    alpha: Option<Vec<f32>>,
+}
+
+impl Cell {
+    fn row(&self, row: usize, width: usize) -> PixelRows<'_> {
+        let run = row * width..(row + 1) * width;
+        PixelRows { colors: &self.colors[run.clone()], alpha: self.alpha.as_ref().map(|a| &a[run]) }
+    }
+}
+
 fn cell(
     options: &Options,
     scene: &mut Scene,
     given: &Given,
     view: View,
     settings: &Settings,
-) -> Result<Vec<[f32; 3]>, Failure> {
+) -> Result<Cell, Failure> {
     options.view.look(scene, given, Some(view), settings.size);
     let run = Run { threads: options.thread_count(), cancel: Some(interrupt::listen()), ..Run::default() };
     let mut rows: Vec<Rows> = Vec::new();
     brt::render(scene, settings, &run, &mut rows).map_err(|error| failure(error.into()))?;
-    Ok(rows.into_iter().flat_map(|rows| rows.colors).collect())
+    let mut cell = Cell { colors: Vec::new(), alpha: settings.backdrop.has_alpha().then(Vec::new) };
+    for rows in rows {
+        cell.colors.extend(rows.colors);
+        cell.alpha.iter_mut().for_each(|alpha| alpha.extend(rows.alpha.iter().flatten()));
+    }
+    Ok(cell)
 }
 
 /// Two parts of a length, the first not shorter than the second; neither is nothing if the length is at least 2.

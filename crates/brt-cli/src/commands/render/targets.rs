@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use anyhow::bail;
-use brt::{Output, PictureFormat, Transfer};
+use brt::{Channels, Output, PictureFormat, Transfer};
 
 use super::options::Options;
 use crate::exit::{Failure, wrong_use};
@@ -53,6 +53,12 @@ fn encoded(mut output: Output, options: &Options) -> Result<Output, Failure> {
     if options.compression.is_some() && output.encoding.format != PictureFormat::Png {
         return Err(wrong_use("`--compression` belongs to .png"));
     }
+    let has_alpha = options.view.backdrop().has_alpha();
+    if has_alpha && !output.encoding.format.has_alpha() {
+        let format = output.encoding.format.extension();
+        return Err(wrong_use(format!(".{format} cannot hold a transparent background; .png and .exr can")));
+    }
+    output.encoding.channels = if has_alpha { Channels::Rgba } else { Channels::Rgb };
     output.encoding.compression = options.compression.map_or_else(Default::default, Into::into);
     output.encoding.depth = options.bits.unwrap_or_default();
     output.encoding.transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };

@@ -98,7 +98,7 @@ impl Certified<'_, '_> {
     fn settle_group(&mut self, area: Area, group: &[Region]) {
         let primitive = group[0].primitive;
         if primitive == NOTHING {
-            let background = crate::tracing::constant(self.follower.scene.background);
+            let background = crate::tracing::constant(self.worker.tracer.color_of_nothing());
             return self.fill(area, Parts::Regions(group), primitive, &background);
         }
         if group.iter().map(|region| region.samples).sum::<u32>() < LEAST_PROVEN {

@@ -2,10 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use brt_geometry::{Bvh, LANES, LaneRays, Lanes, Shaft, SimdLevel, SpatialIndex, Traversal, Vec3};
+use brt_geometry::{Bvh, Shaft, SimdLevel, SpatialIndex, Traversal};
 
-use super::{Bundle, NOWHERE, PACKETS};
-use crate::products::{PreparedLight, PreparedScene};
+use super::Bundle;
+use super::ways::Ways;
+use crate::products::PreparedScene;
 
 /// Fewer rays search by themselves.
 const LEAST_RAYS: usize = 12;
@@ -56,20 +57,18 @@ impl Lookup {
         )
     }
 
-    /// The same with what may stand between these points and a light.
+    /// The same with what may stand in these ways to a light.
     pub(super) fn shadow(
         &mut self,
         scene: &PreparedScene,
-        points: &[Vec3<Lanes>; PACKETS],
-        count: usize,
-        light: &PreparedLight,
+        ways: &Ways,
         try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
     ) -> bool {
         self.hand_out(
             scene,
-            count,
+            ways.lit.iter().map(|lit| lit.count() as usize).sum(),
             #[inline(always)]
-            |tree| light_shaft(tree, points, count, light),
+            |tree| ways.shaft(tree),
             |id| scene.infos[id as usize].casts_shadow,
             try_list,
         )
@@ -123,31 +122,6 @@ impl Lookup {
         }
         true
     }
-}
-
-/// All ways between points and a light.
-#[inline(always)]
-fn light_shaft(
-    tree: &Bvh,
-    points: &[Vec3<Lanes>; PACKETS],
-    count: usize,
-    light: &PreparedLight,
-) -> Option<Shaft> {
-    let mut ways = [LaneRays { origin: NOWHERE, direction: NOWHERE }; PACKETS];
-    let packets = count.div_ceil(LANES);
-    for (way, &point) in ways.iter_mut().zip(points).take(packets) {
-        *way = match light {
-            // Ways to a point spread from there.
-            PreparedLight::Point { position, .. } => {
-                LaneRays { origin: position.lift(), direction: point - position.lift() }
-            }
-            PreparedLight::Directional { towards, .. } => {
-                LaneRays { origin: point, direction: towards.lift() }
-            }
-        };
-    }
-    let end = if let PreparedLight::Point { .. } = light { 1.0 } else { f64::INFINITY };
-    Shaft::around_rays_in(tree, &ways[..packets], end)
 }
 
 /// The shaft, computed in lanes.

@@ -6,14 +6,17 @@
 //! What lanes do not know (glass, what is not wholly there, very deep mirrors) each sample finishes by itself. Every
 //! sample gets the bits that [`Tracer::trace`] gives.
 
+mod group;
 mod hits;
 mod lookup;
 mod shade;
 mod starts;
+mod ways;
 
 use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, SimdLevel, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 
+use self::group::{Group, group_of};
 use self::hits::Hits;
 pub(super) use self::lookup::Lookup;
 use self::shade::Seen;
@@ -22,7 +25,7 @@ use super::MOST_RAYS_PER_SAMPLE;
 use super::guide::{Guide, Sight, Unguided};
 use super::search::FROM_NOWHERE;
 use super::tracer::Tracer;
-use crate::products::{NOTHING, PreparedScene};
+use crate::settings::Backdrop;
 
 /// Most rays of a bundle.
 pub(crate) const MOST_RAYS: usize = PACKETS * LANES;
@@ -31,9 +34,6 @@ const PACKETS: usize = 8;
 
 /// Mirror rays beyond this depth are followed one by one.
 const MOST_LEVELS: u32 = 8;
-
-/// As many rays fill the lanes by themselves, with what they meet alone.
-const FULL: u32 = LANES as u32;
 
 /// Rays that go on together: the first `count` of these. Lanes of the last packet without a ray repeat the last one.
 #[derive(Clone)]
@@ -161,7 +161,8 @@ struct Way<'b, G> {
 }
 
 impl Tracer<'_> {
-    /// Traces camera rays, given what is known of their first hits and of what follows from there.
+    /// Traces camera rays, given what is known of their first hits and of what follows from there. Their alphas are noted
+    /// if the backdrop is transparent.
     pub(crate) fn trace_bundle(
         &mut self,
         rays: &Bundle,
@@ -170,12 +171,14 @@ impl Tracer<'_> {
         colors: &mut Colors,
     ) {
         self.counters.rays.camera += rays.count as u64;
+        self.begin_alphas();
         self.follow(&Way { rays, depth: 0, guide }, first, colors);
     }
 
     /// Traces camera rays that are known to meet these primitives first, or nothing.
     pub(crate) fn trace_known_bundle(&mut self, rays: &Bundle, first: &[u32], colors: &mut Colors) {
         self.counters.rays.camera += rays.count as u64;
+        self.begin_alphas();
         let mut parting = self.rooms.partings.pop().unwrap_or_default();
         self.find_known(&mut parting.hits, rays, first);
         self.part(&Way { rays, depth: 0, guide: Unguided }, &mut parting, colors);
@@ -199,8 +202,10 @@ impl Tracer<'_> {
             let (here, met) = group_of(self.scene, hits, rest, way.rays.packets());
             rest &= !here;
             if met == Group::Nothing {
-                let background = self.scene.background;
+                let background = self.behind_all(way.depth, here);
                 ones(here).for_each(|i| set_color(colors, i, background));
+            } else if met == Group::Unknown || way.depth + 1 == MOST_LEVELS {
+                self.one_by_one(way, hits, here, colors);
             } else if here == all {
                 self.surface(way, hits, met, colors);
             } else {
@@ -213,12 +218,27 @@ impl Tracer<'_> {
         }
     }
 
+    /// All samples are wholly there, until one is not.
+    fn begin_alphas(&mut self) {
+        if self.backdrop == Backdrop::Transparent {
+            self.alphas = [1.0; MOST_RAYS];
+        }
+    }
+
+    /// What rays see that meet nothing.
+    fn behind_all(&mut self, depth: u32, rays: u64) -> Rgb {
+        if depth > 0 {
+            return self.scene.background;
+        }
+        if self.backdrop == Backdrop::Transparent {
+            ones(rays).for_each(|i| self.alphas[i] = 0.0);
+        }
+        self.color_of_nothing()
+    }
+
     /// The colours of rays that go on together.
     fn surface<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, met: Group, colors: &mut Colors) {
         let Way { rays, depth, guide } = *way;
-        if depth + 1 == MOST_LEVELS || met == Group::Unknown {
-            return self.one_by_one(way, hits, colors);
-        }
         let mut seen = self.rooms.seen.pop().unwrap_or_default();
         match met {
             Group::Primitive(primitive) => seen.look_at(self.scene, rays, hits, primitive, colors),
@@ -239,14 +259,18 @@ impl Tracer<'_> {
         self.rooms.seen.push(seen);
     }
 
-    /// Goes on with each ray by itself.
-    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, colors: &mut Colors) {
-        let backdrop = self.scene.background;
-        for i in 0..way.rays.count {
-            let met = hits.met(i);
+    /// Goes on with each of these rays by itself.
+    fn one_by_one<G: Guide>(&mut self, way: &Way<G>, hits: &Hits, rays: u64, colors: &mut Colors) {
+        for i in ones(rays) {
             self.rays_left = MOST_RAYS_PER_SAMPLE - way.depth;
-            let bounces_left = self.max_depth - way.depth;
-            let color = self.color_of(&way.rays.ray(i), Some(met), bounces_left, backdrop, way.guide);
+            let (ray, met, bounces_left) = (way.rays.ray(i), Some(hits.met(i)), self.max_depth - way.depth);
+            let color = if way.depth == 0 {
+                let (color, alpha) = self.seen_by_camera(&ray, met, bounces_left, way.guide);
+                self.alphas[i] = alpha;
+                color
+            } else {
+                self.color_of(&ray, met, bounces_left, Backdrop::Scene, way.guide)
+            };
             set_color(colors, i, color);
         }
     }
@@ -263,46 +287,6 @@ fn add(colors: &mut Colors, reflected: &Colors, share: f64, packets: usize) {
             }
         },
     );
-}
-
-/// What rays that go on together meet.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Group {
-    Nothing,
-    /// One primitive with nothing between its corners.
-    Primitive(u32),
-    /// Flat primitives of one material.
-    Flat,
-    /// What lanes do not know.
-    Unknown,
-}
-
-/// The first of the rays of these bits, and all others that go on with it.
-fn group_of(scene: &PreparedScene, hits: &Hits, rest: u64, packets: usize) -> (u64, Group) {
-    let primitive = hits.primitive(rest.trailing_zeros() as usize);
-    let same = rest & hits.that_meet(primitive, packets);
-    if primitive == NOTHING {
-        return (same, Group::Nothing);
-    }
-    let info = &scene.infos[primitive as usize];
-    if scene.has_dimmers || !scene.materials[info.material as usize].ends_view() {
-        return (same, Group::Unknown);
-    }
-    let is_full = same == rest || same.count_ones() >= FULL;
-    if info.is_plain() && (is_full || !scene.primitives[primitive as usize].is_flat()) {
-        return (same, Group::Primitive(primitive));
-    }
-    let goes_along = |i: usize| {
-        let id = hits.primitive(i);
-        id != NOTHING
-            && scene.infos[id as usize].material == info.material
-            && scene.primitives[id as usize].is_flat()
-    };
-    let group = ones(rest & !same).filter(|&i| goes_along(i)).fold(same, |bits, i| bits | 1 << i);
-    if group == same && info.is_plain() {
-        return (same, Group::Primitive(primitive));
-    }
-    (group, Group::Flat)
 }
 
 /// The colour of one ray.

@@ -7,6 +7,7 @@ use brt_scene::Axis;
 use super::hits::Hits;
 use super::lookup::{ANYWHERE, Next};
 use super::starts::Starts;
+use super::ways::Ways;
 use super::{Bundle, Colors, NO_COLORS, NOWHERE, PACKETS, lift, set_color, set_lane};
 use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
 use crate::tracing::guide::Lighting;
@@ -155,6 +156,13 @@ impl Seen {
         }
     }
 
+    /// The ways that lead to a light from the points that matter.
+    fn ways_to<'s>(&'s self, light: &'s PreparedLight, lit: &'s [LaneMask; PACKETS]) -> Ways<'s> {
+        let packets = self.packets();
+        let normals = if self.met.differ() { &self.geometric_normal[..packets] } else { &[] };
+        Ways { points: &self.point[..packets], lit: &lit[..packets], normals, light }
+    }
+
     /// Where the surface faces a light.
     #[inline(always)]
     fn faces(&self, light: &PreparedLight) -> [LaneMask; PACKETS] {
@@ -264,8 +272,8 @@ impl Tracer<'_> {
         if let Lighting::Among(list) = lighting {
             return self.hide_by(seen, light, list, faces, lit);
         }
-        let (scene, mut tests) = (self.scene, 0);
-        let is_complete = self.lookup.shadow(scene, &seen.point, seen.count, light, |list, _| {
+        let (scene, open, mut tests) = (self.scene, *lit, 0);
+        let is_complete = self.lookup.shadow(scene, &seen.ways_to(light, &open), |list, _| {
             tests += list.len();
             if hide_in_lanes(scene, seen, light, list, lit) { ANYWHERE } else { Next::Break(()) }
         });
