@@ -119,7 +119,7 @@ fn obj_with_materials_beside_it() {
     assert_is_triangle(&loaded.scene);
     let material = &loaded.scene.materials[0];
     assert_eq!((material.name.as_str(), material.specular, material.exponent), ("red", 0.5, 30.0));
-    assert_eq!((material.transmission, material.index_of_refraction), (0.75, 1.0));
+    assert_eq!((material.opacity, material.transmission), (0.25, 0.0));
     assert_eq!(loaded.given.up, Up::PlusY);
     assert!(loaded.report.diagnostics.is_empty(), "{:?}", loaded.report);
 }

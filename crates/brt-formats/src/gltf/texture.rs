@@ -71,7 +71,8 @@ impl<'f, 'b> Textures<'f, 'b> {
             }
             (None, Some(view)) => {
                 let bytes = self.view(view.value());
-                self.pictures.get(&numbered(), || bytes.map(Cow::Borrowed).ok_or("its bytes are missing".into()))
+                self.pictures
+                    .get(&numbered(), || bytes.map(Cow::Borrowed).ok_or("its bytes are missing".into()))
             }
             (None, None) => Err("it names no file".to_owned()),
         }

@@ -54,7 +54,9 @@ impl Pictures {
         }
         let Some(left) = self.pixels_left.checked_sub(pixels) else {
             let limit = self.limit;
-            return Err(format!("with {width} × {height} pixels there are more than {limit} in all pictures"));
+            return Err(format!(
+                "with {width} × {height} pixels there are more than {limit} in all pictures"
+            ));
         };
         let picture = DynamicImage::from_decoder(decoder).map_err(|error| short(&error))?.into_rgba8();
         self.pixels_left = left;
@@ -146,13 +148,15 @@ mod tests {
 
     fn crc(bytes: &[u8]) -> u32 {
         !bytes.iter().fold(u32::MAX, |sum, &byte| {
-            (0..8).fold(sum ^ u32::from(byte), |c, _| if c & 1 == 1 { 0xEDB8_8320 ^ (c >> 1) } else { c >> 1 })
+            (0..8)
+                .fold(sum ^ u32::from(byte), |c, _| if c & 1 == 1 { 0xEDB8_8320 ^ (c >> 1) } else { c >> 1 })
         })
     }
 
     #[test]
     fn bombs_are_refused_by_their_heads() {
-        let error = decoded(&[raw_png(60_000, 60_000, 8, 6, 0), b"\0\0\0\0IDAT".to_vec()].concat()).unwrap_err();
+        let error =
+            decoded(&[raw_png(60_000, 60_000, 8, 6, 0), b"\0\0\0\0IDAT".to_vec()].concat()).unwrap_err();
         assert!(error.contains("60000 × 60000"), "{error}");
         let jpeg = [b"\xff\xd8\xff".to_vec(), b"\xff\xda".repeat(300)].concat();
         assert_eq!(decoded(&jpeg).unwrap_err(), "it has 300 scans");

@@ -5,6 +5,7 @@
 //! smooth, and where it has none of those either, the angle. +y is up.
 
 mod face;
+mod map;
 mod material;
 mod reader;
 
@@ -17,7 +18,7 @@ use crate::{Limits, ParseError};
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusY);
-    match reader::read(bytes, beside, &mut draft) {
+    match reader::read(bytes, beside, limits, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
