@@ -13,6 +13,7 @@ use brt_image::Rgb;
 use brt_scene::{Highlight, Light, Material, Scene};
 
 use crate::Written;
+use crate::write::alone;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
@@ -31,7 +32,7 @@ pub(crate) fn write(scene: &Scene) -> Written {
         out.object(object, scene);
     }
     out.line(format_args!("END_SCENE"));
-    Written { text: out.text, report: out.losses.into_report() }
+    alone(out.text, out.losses.into_report())
 }
 
 /// The text under construction.

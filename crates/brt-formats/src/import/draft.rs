@@ -12,6 +12,7 @@ use brt_scene::{Camera, Diagnostic, Material, MaterialId, Mesh, Object, Projecti
 use super::{Crease, Geometry, Notices};
 use crate::limits::Counter;
 use crate::load::Imported;
+use crate::meshes::Meshes;
 use crate::{Given, LimitExceeded, Limits, ParseError};
 
 /// Colour of what a file gives no colour: a light grey with a touch of blue, linear RGB.
@@ -22,6 +23,8 @@ pub(crate) struct Draft {
     pub(crate) scene: Scene,
     pub(crate) given: Given,
     pub(crate) notices: Notices,
+    /// Only geometry is wanted.
+    bare: bool,
     counter: Counter,
     tints: HashMap<(MaterialId, [u64; 3]), MaterialId>,
 }
@@ -71,9 +74,19 @@ impl Draft {
             scene: Scene::new(stand_in),
             given: Given { up, ..Given::nothing() },
             notices: Notices::default(),
+            bare: false,
             counter: Counter::new(limits),
             tints: HashMap::new(),
         }
+    }
+
+    /// A model of which only the geometry is wanted: no materials, colours stay with their points.
+    pub(crate) fn bare(limits: &Limits) -> Self {
+        Self { bare: true, ..Self::new(limits, Up::PlusZ) }
+    }
+
+    pub(crate) fn is_bare(&self) -> bool {
+        self.bare
     }
 
     /// The material of all that the file gives no colour.
@@ -119,11 +132,11 @@ impl Draft {
             self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
             geometry.normals.clear();
         }
-        if self.scene.materials[material.0 as usize].texture.is_none() {
+        if !self.bare && self.scene.materials[material.0 as usize].texture.is_none() {
             geometry.texcoords.clear();
         }
         // Smoothing groups are one per triangle and cannot lose any.
-        if !crease.is_some_and(Crease::has_groups) {
+        if !(self.bare && crease.is_none()) && !crease.is_some_and(Crease::has_groups) {
             let flat = geometry.drop_degenerate();
             self.notices.note_many("triangles without an area left out", flat, part(name));
         }
@@ -131,7 +144,8 @@ impl Draft {
             Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease),
             _ => vec![geometry],
         };
-        let parts = parts.into_iter().flat_map(Geometry::by_color);
+        let bare = self.bare;
+        let parts = parts.into_iter().flat_map(|part| if bare { vec![(None, part)] } else { part.by_color() });
         let parts = parts.filter(|(_, part)| !part.triangles.is_empty());
         let finished = parts.map(|(color, part)| {
             let material = color.map_or(material, |color| self.tinted(material, color));
@@ -175,6 +189,16 @@ impl Draft {
         self.counter.objects(1)?;
         self.scene.objects.push(Object { name: name.map(str::to_owned), ..Object::new(shape, material) });
         Ok(())
+    }
+
+    /// The meshes of a bare model.
+    pub(crate) fn into_meshes(self) -> Meshes {
+        let objects = self.scene.objects.into_iter();
+        let meshes = objects.filter_map(|object| match object.shape {
+            Shape::Mesh(mesh) => Some(mesh),
+            _ => None,
+        });
+        Meshes { meshes: meshes.collect(), report: self.notices.into_report() }
     }
 
     /// What is said where a file was not read to its end.

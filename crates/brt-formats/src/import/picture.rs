@@ -42,6 +42,11 @@ impl Pictures {
         picture
     }
 
+    /// Another picture of this name comes.
+    pub(crate) fn forget(&mut self, name: &str) {
+        self.known.remove(name);
+    }
+
     fn decode(&mut self, name: &str, bytes: &[u8]) -> Result<Texels, String> {
         let format = format_of(bytes)?;
         let mut reader = ImageReader::with_format(Cursor::new(bytes), format);

@@ -12,13 +12,14 @@ mod reader;
 use brt_scene::framing::Up;
 
 use crate::import::{Beside, Draft};
+pub(crate) use reader::read as read_file;
 use crate::load::Imported;
 use crate::{Limits, ParseError};
 
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusY);
-    match reader::read(bytes, beside, limits, &mut draft) {
+    match read_file(bytes, beside, limits, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }

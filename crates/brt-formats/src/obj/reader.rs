@@ -10,8 +10,8 @@ use crate::Limits;
 use crate::import::{Beside, Draft, Stop, fault, srgb};
 use crate::words::{Word, Words};
 
-/// Reads all lines.
-pub(super) fn read(
+/// Reads a file into a model.
+pub(crate) fn read(
     bytes: &[u8],
     beside: &mut Beside,
     limits: &Limits,
@@ -57,6 +57,7 @@ impl Reader<'_> {
                 let name = self.text();
                 self.name = (!name.is_empty()).then_some(name);
             }
+            b"usemtl" | b"mtllib" if draft.is_bare() => {}
             b"usemtl" => {
                 self.end_chunk(draft)?;
                 let name = self.text();
@@ -131,6 +132,9 @@ impl Reader<'_> {
     }
 
     fn is_textured(&self, draft: &Draft) -> bool {
+        if draft.is_bare() {
+            return true;
+        }
         let material = self.material.and_then(|id| draft.scene.materials.get(id.0 as usize));
         material.is_some_and(|material| material.texture.is_some())
     }

@@ -14,6 +14,7 @@ use brt_image::Rgb;
 use brt_scene::{Light, Scene};
 
 use crate::Written;
+use crate::write::alone;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
@@ -37,7 +38,7 @@ pub(crate) fn write(scene: &Scene) -> Written {
     for object in &scene.objects {
         out.object(object, scene);
     }
-    Written { text: out.text, report: out.losses.into_report() }
+    alone(out.text, out.losses.into_report())
 }
 
 /// The text under construction.
