@@ -55,7 +55,8 @@ pub fn write_beside(format: Format, scene: &Scene, path: &Path) -> Result<Writte
         return write(format, scene);
     }
     let stem = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());
-    let folder = path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let folder =
+        path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
     let limits = Limits::default();
     let found = RefCell::new((Beside::new(folder, &limits), Pictures::new(&limits)));
     let lies_there = |texels: &Texels| {

@@ -13,10 +13,10 @@ use brt_image::Rgb;
 use brt_scene::{Highlight, Light, Material, Scene};
 
 use crate::Written;
-use crate::write::alone;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
+use crate::write::alone;
 
 /// The scene as Tachyon reads it.
 pub(crate) fn write(scene: &Scene) -> Written {

@@ -145,7 +145,8 @@ impl Draft {
             _ => vec![geometry],
         };
         let bare = self.bare;
-        let parts = parts.into_iter().flat_map(|part| if bare { vec![(None, part)] } else { part.by_color() });
+        let parts =
+            parts.into_iter().flat_map(|part| if bare { vec![(None, part)] } else { part.by_color() });
         let parts = parts.filter(|(_, part)| !part.triangles.is_empty());
         let finished = parts.map(|(color, part)| {
             let material = color.map_or(material, |color| self.tinted(material, color));

@@ -12,9 +12,9 @@ mod reader;
 use brt_scene::framing::Up;
 
 use crate::import::{Beside, Draft};
-pub(crate) use reader::read as read_file;
 use crate::load::Imported;
 use crate::{Limits, ParseError};
+pub(crate) use reader::read as read_file;
 
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {

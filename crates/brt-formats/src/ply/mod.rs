@@ -150,7 +150,10 @@ fn geometry_of(
         let color = if is_exact(header) { Vertex::light } else { Vertex::color };
         geometry.colors = vertices.iter().map(color).collect();
     }
-    if [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]].iter().any(|pair| pair.iter().all(|name| has(name))) {
+    if [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]]
+        .iter()
+        .any(|pair| pair.iter().all(|name| has(name)))
+    {
         let downwards = |v: f64| if is_exact(header) { v } else { 1.0 - v };
         geometry.texcoords = vertices.iter().map(|v| [v.texcoord[0], downwards(v.texcoord[1])]).collect();
         if !is_exact(header) && geometry.drop_wild_texcoords() {

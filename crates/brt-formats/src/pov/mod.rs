@@ -14,10 +14,10 @@ use brt_image::Rgb;
 use brt_scene::{Light, Scene};
 
 use crate::Written;
-use crate::write::alone;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
+use crate::write::alone;
 
 /// POV-Ray 3.7 goes no deeper.
 const DEEPEST: u32 = 256;

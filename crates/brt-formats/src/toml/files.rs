@@ -63,7 +63,9 @@ impl<'b> Files<'b> {
             self.meshes.insert(name.clone(), read);
         }
         let known = self.meshes.get(&name).cloned().unwrap_or_else(|| Ok(Vec::new()));
-        known.map_err(|why| unreadable(&name, &why, value, "a PLY, STL, OBJ or OFF file in the scene's folder"))
+        known.map_err(|why| {
+            unreadable(&name, &why, value, "a PLY, STL, OBJ or OFF file in the scene's folder")
+        })
     }
 
     fn read_meshes(

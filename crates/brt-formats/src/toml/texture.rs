@@ -13,7 +13,8 @@ use crate::problems::Problems;
 const WRAPS: [(&str, Wrap); 3] = [("repeat", Wrap::Repeat), ("mirror", Wrap::Mirror), ("clamp", Wrap::Clamp)];
 const FILTERS: [(&str, TextureFilter); 2] =
     [("linear", TextureFilter::Linear), ("nearest", TextureFilter::Nearest)];
-const ALPHAS: [(&str, TextureAlpha); 2] = [("ignored", TextureAlpha::Ignored), ("blend", TextureAlpha::Blend)];
+const ALPHAS: [(&str, TextureAlpha); 2] =
+    [("ignored", TextureAlpha::Ignored), ("blend", TextureAlpha::Blend)];
 
 /// Reads a texture; what is left out is that of [`Texture::new`].
 pub(super) fn read_texture(value: &Value, files: &mut Files, problems: &mut Problems) -> Option<Texture> {
@@ -24,13 +25,7 @@ pub(super) fn read_texture(value: &Value, files: &mut Files, problems: &mut Prob
     let filter = fields.or("filter", TextureFilter::default(), |v| one_of(v, &FILTERS));
     let transform = fields.or("transform", Texture::PLAIN, matrix);
     let alpha = alpha(&mut fields);
-    Some(Texture {
-        picture: picture?,
-        wrap: wrap?,
-        filter: filter?,
-        transform: transform?,
-        alpha: alpha?,
-    })
+    Some(Texture { picture: picture?, wrap: wrap?, filter: filter?, transform: transform?, alpha: alpha? })
 }
 
 fn picture(fields: &mut Fields, files: &mut Files) -> Option<Arc<Texels>> {
@@ -54,9 +49,11 @@ fn wraps(value: &Value) -> Result<[Wrap; 2], Diagnostic> {
     match value.get_ref() {
         DeValue::Array(items) => match &items[..] {
             [u, v] => Ok([one_of(u, &WRAPS)?, one_of(v, &WRAPS)?]),
-            other => {
-                Err(error(format!("found a list of {}", other.len()), value, "a word, or one for u and one for v"))
-            }
+            other => Err(error(
+                format!("found a list of {}", other.len()),
+                value,
+                "a word, or one for u and one for v",
+            )),
         },
         _ => one_of(value, &WRAPS).map(|wrap| [wrap; 2]),
     }

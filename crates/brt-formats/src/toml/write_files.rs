@@ -20,7 +20,8 @@ pub(crate) fn write_beside(
     stem: &str,
     lies_there: &dyn Fn(&Texels) -> bool,
 ) -> (String, Vec<FileBeside>) {
-    let beside = Outside { stem, lies_there, files: Vec::new(), taken: HashSet::new(), names: HashMap::new() };
+    let beside =
+        Outside { stem, lies_there, files: Vec::new(), taken: HashSet::new(), names: HashMap::new() };
     let mut out = Writer { outside: Some(beside), ..Writer::default() };
     out.scene(scene);
     (out.text, out.outside.map_or_else(Vec::new, |outside| outside.files))

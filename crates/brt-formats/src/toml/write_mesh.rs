@@ -65,8 +65,9 @@ impl Writer<'_> {
             self.named_list("colors", &mesh.colors, |out, c| out.push_str(&color(*c)));
         }
         if !mesh.texcoords.is_empty() {
-            let pair =
-                |out: &mut String, [u, v]: &[f64; 2]| push(out, format_args!("[{}, {}]", number(*u), number(*v)));
+            let pair = |out: &mut String, [u, v]: &[f64; 2]| {
+                push(out, format_args!("[{}, {}]", number(*u), number(*v)))
+            };
             self.named_list("texcoords", &mesh.texcoords, pair);
         }
         let triple = |out: &mut String, [a, b, c]: &[u32; 3]| push(out, format_args!("[{a}, {b}, {c}]"));

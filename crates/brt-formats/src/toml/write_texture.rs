@@ -22,12 +22,18 @@ impl Writer<'_> {
         }];
         if texture.wrap != [Wrap::default(); 2] {
             let [u, v] = texture.wrap.map(word);
-            fields.push(if u == v { format!("wrap = \"{u}\"") } else { format!("wrap = [\"{u}\", \"{v}\"]") });
+            fields.push(if u == v {
+                format!("wrap = \"{u}\"")
+            } else {
+                format!("wrap = [\"{u}\", \"{v}\"]")
+            });
         }
         if texture.filter == TextureFilter::Nearest {
             fields.push("filter = \"nearest\"".to_owned());
         }
-        if texture.transform.map(|row| row.map(f64::to_bits)) != Texture::PLAIN.map(|row| row.map(f64::to_bits)) {
+        if texture.transform.map(|row| row.map(f64::to_bits))
+            != Texture::PLAIN.map(|row| row.map(f64::to_bits))
+        {
             let row = |[a, b, c]: [f64; 3]| format!("[{}, {}, {}]", number(a), number(b), number(c));
             fields.push(format!("transform = [{}]", texture.transform.map(row).join(", ")));
         }
