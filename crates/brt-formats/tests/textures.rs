@@ -4,16 +4,19 @@ mod common;
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use base64::Engine as _;
 use brt_formats::{Format, Imported, Limits, import, load};
-use brt_scene::{Material, Mesh, Scene, Shape, Texture, TextureAlpha, TextureFilter, Wrap};
+use brt_scene::{Material, Mesh, Object, Scene, Shape, Texture, TextureAlpha, TextureFilter, Wrap};
 use common::{FOUR, png};
 
-fn meshes(scene: &Scene) -> Vec<&Mesh> {
-    let mesh = |shape: &'_ Shape| if let Shape::Mesh(_) = shape { true } else { false };
-    let shapes = scene.objects.iter().map(|object| &object.shape).filter(|shape| mesh(shape));
-    shapes.map(|shape| if let Shape::Mesh(mesh) = shape { &**mesh } else { unreachable!() }).collect()
+fn meshes(scene: &Scene) -> Vec<Arc<Mesh>> {
+    let mesh = |object: &Object| match &object.shape {
+        Shape::Mesh(mesh) => Some(mesh.clone()),
+        _ => None,
+    };
+    scene.objects.iter().filter_map(mesh).collect()
 }
 
 fn messages(imported: &Imported) -> Vec<String> {
@@ -162,7 +165,7 @@ fn gltf_nodes_share_their_mesh() {
     let meshes = meshes(&imported.scene);
     // The flat one has nothing to show.
     assert_eq!(meshes.len(), 3, "{:?}", messages(&imported));
-    assert!(meshes.iter().all(|mesh| std::ptr::eq(*mesh, meshes[0])));
+    assert!(meshes.iter().all(|mesh| Arc::ptr_eq(mesh, &meshes[0])));
     let bounds = imported.scene.bounds().unwrap();
     assert_eq!((bounds[0].x, bounds[1].x), (-2.0, 7.0));
     let limits = Limits { objects: 2, ..Limits::default() };
@@ -193,7 +196,7 @@ fn obj_pictures_are_beside_their_library() {
     assert_eq!((texture.wrap, texture.picture.rgba.as_slice()), ([Wrap::Clamp; 2], &FOUR[..]));
     assert_eq!(texture.transform, [[2.0, 0.0, 0.0], [0.0, 2.0, -1.0]]);
     // v points up in OBJ. Point 2 has two places in the picture.
-    let mesh = meshes(&imported.scene)[0];
+    let mesh = &meshes(&imported.scene)[0];
     assert_eq!((mesh.positions.len(), mesh.triangles.len()), (5, 2));
     let corners: Vec<[f64; 2]> =
         mesh.triangles.iter().flatten().map(|&i| mesh.texcoords[i as usize]).collect();
@@ -212,7 +215,7 @@ fn obj_pictures_that_cannot_be_had_are_said() {
         let imported = obj(folder.path(), &format!("newmtl wood\nmap_Kd {map}\n"));
         let said = messages(&imported);
         assert!(said.len() == 1 && said[0].contains(why), "{map}: {said:?}");
-        let mesh = meshes(&imported.scene)[0];
+        let mesh = &meshes(&imported.scene)[0];
         assert_eq!((mesh.positions.len(), mesh.texcoords.len()), (4, 0));
     }
     // A path of another machine: the file of that name beside the library is meant.
@@ -235,4 +238,36 @@ fn a_file_with_a_picture_is_loaded_from_its_folder() {
     let path = folder.path().join("a.obj");
     fs::write(&path, OBJ).unwrap();
     assert!(load(&path, &Limits::default()).unwrap().scene.materials[0].texture.is_some());
+}
+
+const PLY: &str = "ply\nformat ascii 1.0\ncomment TextureFile four.png\nelement vertex 3\nproperty float x\nproperty float y\n\
+                   property float z\nproperty float s\nproperty float t\nelement face 1\n\
+                   property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n2 0 0 1 0\n0 1 0 0 0.75\n3 0 1 2\n";
+
+#[test]
+fn ply_names_its_picture_in_a_comment() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("four.png"), png(2, 2, &FOUR)).unwrap();
+    let imported = import(Format::Ply, PLY.as_bytes(), Some(folder.path()), &Limits::default()).unwrap();
+    assert_eq!(messages(&imported), [""; 0]);
+    let object = &imported.scene.objects[0];
+    assert_eq!(texture(&imported.scene.materials[object.material.0 as usize]).picture.rgba, FOUR);
+    assert_eq!(meshes(&imported.scene)[0].texcoords, [[0.0, 1.0], [1.0, 1.0], [0.0, 0.25]]);
+    let alone = import(Format::Ply, PLY.as_bytes(), None, &Limits::default()).unwrap();
+    assert_eq!(messages(&alone), ["the picture cannot be read: the scene has no folder"]);
+    assert!(meshes(&alone.scene)[0].texcoords.is_empty());
+    let other = PLY.replace("float s\n", "float texture_u\n").replace("float t\n", "float texture_v\n");
+    let imported = import(Format::Ply, other.as_bytes(), Some(folder.path()), &Limits::default()).unwrap();
+    assert_eq!(meshes(&imported.scene)[0].texcoords.len(), 3);
+}
+
+#[test]
+fn pictures_are_lost_on_other_ray_tracers() {
+    let scene = read(&gltf(IN_BUFFER, PLAIN, "")).scene;
+    for format in [Format::Pov, Format::Dat] {
+        let report = brt_formats::write(format, &scene).unwrap().report;
+        let said =
+            report.diagnostics.iter().any(|d| d.message.starts_with("pictures on surfaces are left out"));
+        assert!(said, "{report:?}");
+    }
 }
