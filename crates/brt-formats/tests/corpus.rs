@@ -4,9 +4,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use brt_formats::{Format, Limits, load, parse, write_toml};
+use brt_formats::{Format, Limits, load, parse, write_beside, write_toml};
+use brt_scene::Scene;
 
 /// The corpus, if there is one.
 fn corpus() -> Option<PathBuf> {
@@ -43,12 +45,33 @@ fn every_good_file_of_the_corpus_is_a_scene() {
                 assert!(!loaded.scene.objects.is_empty(), "{}", path.display());
                 let again = parse(Format::Toml, write_toml(&loaded.scene).as_bytes(), &Limits::default());
                 assert_eq!(again.unwrap().0, loaded.scene, "{}", path.display());
+                comes_back_with_files(loaded.scene, path);
             }
             Err(error) => failed.push(error.to_string()),
         }
     }
     assert!(failed.is_empty(), "{} of {count} files are not read:\n{}", failed.len(), failed.join("\n"));
     assert!(count > 0, "the corpus has no files that are read");
+}
+
+/// Written with files beside it and read again it is the same scene, but for the names of its pictures.
+fn comes_back_with_files(mut scene: Scene, path: &Path) {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out.toml");
+    let written = write_beside(Format::Toml, &scene, &out).unwrap();
+    fs::write(&out, &written.text).unwrap();
+    for file in &written.files {
+        fs::write(folder.path().join(&file.name), &file.bytes).unwrap();
+    }
+    let mut again =
+        load(&out, &Limits::default()).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    for texture in
+        scene.materials.iter_mut().chain(&mut again.scene.materials).filter_map(|m| m.texture.as_mut())
+    {
+        Arc::make_mut(&mut texture.picture).name.clear();
+    }
+    assert_eq!(again.scene, scene, "{}", path.display());
+    assert!(again.report.diagnostics.is_empty(), "{}: {:?}", path.display(), again.report);
 }
 
 #[test]
