@@ -110,7 +110,8 @@ fn converted_scenes_have_files_beside_them() {
         bench.done(&format!("render {name} -o {name}.png -s 40x30 --samples 1"));
     }
     assert_eq!(bench.read("ball.obj.png"), bench.read("out.toml.png"));
-    let piped = bench.done("convert ball.obj -").text();
+    let piped = bench.done("convert ball.obj -");
+    let piped = piped.text();
     assert!(piped.contains("data = \"") && !piped.contains("import"));
 
     // Again is fine; a file that no scene of ours names is left as it is.

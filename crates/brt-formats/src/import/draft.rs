@@ -135,8 +135,9 @@ impl Draft {
         if !self.bare && self.scene.materials[material.0 as usize].texture.is_none() {
             geometry.texcoords.clear();
         }
-        // Smoothing groups are one per triangle and cannot lose any.
-        if !(self.bare && crease.is_none()) && !crease.is_some_and(Crease::has_groups) {
+        // Smoothing groups are one per triangle and cannot lose any. A mesh that is only imported stays as it is.
+        let keeps_all = crease.map_or(self.bare, Crease::has_groups);
+        if !keeps_all {
             let flat = geometry.drop_degenerate();
             self.notices.note_many("triangles without an area left out", flat, part(name));
         }

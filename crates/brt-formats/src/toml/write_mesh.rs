@@ -66,7 +66,7 @@ impl Writer<'_> {
         }
         if !mesh.texcoords.is_empty() {
             let pair = |out: &mut String, [u, v]: &[f64; 2]| {
-                push(out, format_args!("[{}, {}]", number(*u), number(*v)))
+                push(out, format_args!("[{}, {}]", number(*u), number(*v)));
             };
             self.named_list("texcoords", &mesh.texcoords, pair);
         }
