@@ -160,6 +160,9 @@ fn geometry_of(
             draft.notices.say("texture coordinates that are no numbers ignored");
         }
     }
+    if header.elements.get("face").is_some_and(|face| face.properties.contains_key("texcoord")) {
+        draft.notices.say("texture coordinates of faces ignored: only those of points are read");
+    }
     let mut points = Vec::new();
     for (i, face) in faces.iter().enumerate() {
         points.clear();
