@@ -103,7 +103,7 @@ fn every_picture_of_the_corpus_is_decoded_or_refused() {
         match read {
             Ok(scene) => assert_eq!(scene.check(), [], "{}", path.display()),
             Err(error) => {
-                assert!(is_hostile && error.contains("cannot be read"), "{}: {error}", path.display())
+                assert!(is_hostile && error.contains("cannot be read"), "{}: {error}", path.display());
             }
         }
         count += 1;
