@@ -123,6 +123,11 @@ fn converted_scenes_have_files_beside_them() {
     assert!(ended.errors.contains("new.mesh.ply: another file is there"), "{}", ended.errors);
     assert_eq!(bench.read("new.mesh.ply"), b"mine");
     assert!(!bench.path("new.toml").exists());
+    // What cannot be written in full is not begun.
+    fs::create_dir(bench.path("folder.toml")).unwrap();
+    let before = bench.files();
+    assert_eq!(bench.run("convert hill.obj folder.toml").code, Some(1));
+    assert_eq!(bench.files(), before);
 }
 
 #[test]
