@@ -51,6 +51,7 @@ impl LimitOptions {
             objects: max_objects,
             points: defaults.points.max(max_objects.saturating_mul(3)),
             max_picture_pixels: max_pixels,
+            texture_pixels: defaults.texture_pixels,
             files_outside: allow_outside,
         }
     }
@@ -115,7 +116,7 @@ fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Fai
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
         Err(error) => {
             let hint = match &error {
-                ParseError::LimitExceeded(exceeded) => Some(limit_hint(exceeded)),
+                ParseError::LimitExceeded(exceeded) => limit_hint(exceeded),
                 _ => None,
             };
             Err(Failure::CouldNot { error: anyhow::anyhow!("{name}: {error}"), hint })
@@ -140,20 +141,21 @@ fn cannot_load(path: &Path, error: LoadError) -> Failure {
             let name = path.to_str().filter(|name| library::find(name).is_some());
             name.map(|name| format!("`brt scene {name} -o {name}.toml` writes our scene of that name"))
         }
-        LoadError::LimitExceeded { exceeded, .. } => Some(limit_hint(exceeded)),
+        LoadError::LimitExceeded { exceeded, .. } => limit_hint(exceeded),
         _ => None,
     };
     Failure::CouldNot { error: error.into(), hint }
 }
 
 /// Which option raises a limit.
-fn limit_hint(exceeded: &LimitExceeded) -> String {
+fn limit_hint(exceeded: &LimitExceeded) -> Option<String> {
     let option = match exceeded.what {
         LimitKind::Bytes | LimitKind::Words => "--max-bytes",
         LimitKind::Objects | LimitKind::Points => "--max-objects",
         LimitKind::PicturePixels => "--max-pixels",
+        LimitKind::TexturePixels => return None,
     };
-    format!("`{option} N` allows more")
+    Some(format!("`{option} N` allows more"))
 }
 
 /// Refuses to write a file over the scene it is made of, or two files to one place.

@@ -20,6 +20,8 @@ pub struct Limits {
     pub points: u64,
     /// Greatest number of pixels that the file's picture size may ask for.
     pub max_picture_pixels: u64,
+    /// Greatest number of pixels of all pictures on surfaces together; each takes 4 bytes of memory.
+    pub texture_pixels: u64,
     /// May a file name others outside of its own folder? They are read as far as [`bytes`](Self::bytes) goes.
     pub files_outside: bool,
 }
@@ -35,6 +37,8 @@ impl Limits {
     pub const DEFAULT_POINTS: u64 = 100_000_000;
     /// Default of [`max_picture_pixels`](Self::max_picture_pixels): a picture of 131072 × 131072.
     pub const DEFAULT_PICTURE_PIXELS: u64 = 1 << 34;
+    /// Default of [`texture_pixels`](Self::texture_pixels): 16 pictures of 4096 × 4096.
+    pub const DEFAULT_TEXTURE_PIXELS: u64 = 1 << 28;
     /// Groups, nodes and components may nest this deep; no real file comes near it.
     pub(crate) const NESTING: usize = 64;
 
@@ -45,6 +49,7 @@ impl Limits {
             LimitKind::Objects => self.objects,
             LimitKind::Points => self.points,
             LimitKind::PicturePixels => self.max_picture_pixels,
+            LimitKind::TexturePixels => self.texture_pixels,
         };
         if count > limit { Err(LimitExceeded { what: kind, limit }) } else { Ok(()) }
     }
@@ -58,6 +63,7 @@ impl Default for Limits {
             objects: Self::DEFAULT_OBJECTS,
             points: Self::DEFAULT_POINTS,
             max_picture_pixels: Self::DEFAULT_PICTURE_PIXELS,
+            texture_pixels: Self::DEFAULT_TEXTURE_PIXELS,
             files_outside: false,
         }
     }
@@ -76,6 +82,8 @@ pub enum LimitKind {
     Points,
     /// [`Limits::max_picture_pixels`]
     PicturePixels,
+    /// [`Limits::texture_pixels`]
+    TexturePixels,
 }
 
 impl fmt::Display for LimitKind {
@@ -86,6 +94,7 @@ impl fmt::Display for LimitKind {
             Self::Objects => "primitives",
             Self::Points => "points of polygons and meshes",
             Self::PicturePixels => "pixels in the picture",
+            Self::TexturePixels => "pixels of pictures on surfaces",
         })
     }
 }

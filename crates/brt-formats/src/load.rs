@@ -105,7 +105,7 @@ pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<L
 
 /// A model's name is often wrong (`.obj` for anything), so what is sure by content comes first; text that could be
 /// anything is what its name says.
-fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
+pub(crate) fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
     let by_name = Format::from_path(path);
     let by_content = || Format::from_content(bytes);
     match by_name {
@@ -145,10 +145,10 @@ pub fn import(
         |(scene, report): (Scene, Report), up| Imported { scene, report, given: Given::everything(up) };
     let mut beside = Beside::new(folder, limits);
     match format {
-        Format::Toml => Ok(complete(toml::read(bytes, limits)?, Up::PlusY)),
+        Format::Toml => Ok(complete(toml::read(bytes, &mut beside, limits)?, Up::PlusY)),
         Format::Nff => Ok(complete(nff::read(bytes, limits)?, Up::PlusZ)),
         Format::Stl => stl::read(bytes, limits),
-        Format::Ply => ply::read(bytes, limits),
+        Format::Ply => ply::read(bytes, &mut beside, limits),
         Format::Off => off::read(bytes, limits),
         Format::Obj => obj::read(bytes, &mut beside, limits),
         Format::Gltf => gltf::read(bytes, &mut beside, limits),

@@ -119,7 +119,7 @@ fn obj_with_materials_beside_it() {
     assert_is_triangle(&loaded.scene);
     let material = &loaded.scene.materials[0];
     assert_eq!((material.name.as_str(), material.specular, material.exponent), ("red", 0.5, 30.0));
-    assert_eq!((material.transmission, material.index_of_refraction), (0.75, 1.0));
+    assert_eq!((material.opacity, material.transmission), (0.25, 0.0));
     assert_eq!(loaded.given.up, Up::PlusY);
     assert!(loaded.report.diagnostics.is_empty(), "{:?}", loaded.report);
 }
@@ -225,6 +225,26 @@ fn threemf_components_and_colours() {
     assert_eq!(scene.bounds(), Some([vec3(-1.0, 0.0, 7.0), vec3(0.0, 2.0, 7.0)]));
     assert_eq!(normal(triangles(&scene)[0]), vec3(0.0, 0.0, 2.0));
     assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn threemf_colours_of_corners_are_kept() {
+    let group = r##"<m:colorgroup id="5"><m:color color="#FF0000"/><m:color color="#00FF00"/><m:color color="#0000FF"/></m:colorgroup>"##;
+    let model = MODEL
+        .replace(
+            r##"<basematerials id="5"><base name="red" displaycolor="#FF0000FF"/></basematerials>"##,
+            group,
+        )
+        .replace(r#"p1="0""#, r#"p1="0" p2="1" p3="2""#);
+    let Imported { scene, .. } = read(Format::ThreeMf, &zipped("3D/model.model", model.as_bytes()));
+    let Shape::Mesh(mesh) = &scene.objects[0].shape else { panic!("a mesh") };
+    let colors: Vec<[f64; 3]> = mesh.triangles[0].map(|i| mesh.colors[i as usize].into()).into();
+    assert_eq!(colors, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    let white = scene.materials[scene.objects[0].material.0 as usize].color;
+    assert_eq!(<[f64; 3]>::from(white), [1.0; 3]);
+    let even = model.replace(r#"p2="1" p3="2""#, r#"p2="0" p3="0""#);
+    let Imported { scene, .. } = read(Format::ThreeMf, &zipped("3D/model.model", even.as_bytes()));
+    assert!(matches!(&scene.objects[0].shape, Shape::Mesh(mesh) if mesh.colors.is_empty()));
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use brt_formats::{Format, Limits, ParseError, parse};
-use common::{EVERYTHING, NFF};
+use common::{EVERYTHING, FOUR, NFF, png};
 
 /// Small files with much in them.
 fn files() -> Vec<(Format, Vec<u8>)> {
@@ -33,6 +33,7 @@ fn files() -> Vec<(Format, Vec<u8>)> {
     glb[8..12].copy_from_slice(&length.to_le_bytes());
     vec![
         (Format::Toml, EVERYTHING.into()),
+        (Format::Toml, textured().into()),
         (Format::Nff, NFF.into()),
         (Format::Stl, b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a".into()),
         (Format::Stl, binary),
@@ -44,6 +45,17 @@ fn files() -> Vec<(Format, Vec<u8>)> {
         (Format::Gltf, glb),
         (Format::ThreeMf, zipped()),
     ]
+}
+
+/// A square with a picture that stands in the text.
+fn textured() -> String {
+    let data = base64::Engine::encode(&base64::engine::general_purpose::STANDARD, png(2, 2, &FOUR));
+    format!(
+        "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov_deg = 45\n[materials.m]\ncolor = [1, 1, 1]\n\
+         texture = {{ data = \"{data}\", wrap = [\"clamp\", \"mirror\"], transform = [[2, 0, 0], [0, 1, 0.5]], mask = 0.5 }}\n\
+         [[object]]\ntype = \"mesh\"\nmaterial = \"m\"\npositions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n\
+         texcoords = [[0, 1], [1, 1], [0, 0]]\ntriangles = [[0, 1, 2]]\n"
+    )
 }
 
 /// Stored, so that mutations reach the XML.

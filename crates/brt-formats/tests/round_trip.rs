@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use brt_formats::{Format, Limits, parse, write_toml};
@@ -9,6 +10,7 @@ use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_scene::{
     Axis, Camera, Checker, Highlight, Light, Material, MaterialId, Mesh, Object, Projection, Scene, Shape,
+    Texels, Texture, TextureAlpha, TextureFilter, Wrap,
 };
 use common::{EVERYTHING, good};
 use proptest::collection::vec;
@@ -142,11 +144,12 @@ fn material(name: String) -> impl Strategy<Value = Material> {
     let checker = (color(), positive(), axis).prop_map(|(color, size, axis)| Checker { color, size, axis });
     let highlight = prop_oneof![Just(Highlight::Phong), Just(Highlight::Blinn)];
     let factors = vec(positive(), 7);
-    (color(), option::of(checker), factors, highlight, any::<bool>(), color(), 0.0..=1.0).prop_map(
-        move |(color, checker, f, highlight, casts_shadow, emission, opacity)| Material {
+    let looks = (color(), 0.0..=1.0, option::of(texture()));
+    (color(), option::of(checker), factors, highlight, any::<bool>(), looks).prop_map(
+        move |(color, checker, f, highlight, casts_shadow, (emission, opacity, texture))| Material {
             emission,
             opacity,
-            texture: None,
+            texture,
             name: name.clone(),
             color: rgb(-color.r, color.g, color.b),
             checker,
@@ -163,6 +166,25 @@ fn material(name: String) -> impl Strategy<Value = Material> {
     )
 }
 
+fn texture() -> impl Strategy<Value = Texture> {
+    let picture = (name(), 1_u32..4, 1_u32..4).prop_flat_map(|(name, width, height)| {
+        vec(any::<[u8; 4]>(), (width * height) as usize)
+            .prop_map(move |rgba| Arc::new(Texels { name: name.clone(), width, height, rgba }))
+    });
+    let wrap = || prop_oneof![Just(Wrap::Repeat), Just(Wrap::Mirror), Just(Wrap::Clamp)];
+    let filter = prop_oneof![Just(TextureFilter::Nearest), Just(TextureFilter::Linear)];
+    let alpha = prop_oneof![
+        Just(TextureAlpha::Ignored),
+        Just(TextureAlpha::Blend),
+        (0.0..=1.0).prop_map(TextureAlpha::Mask)
+    ];
+    let row = || [number(), number(), number()];
+    let transform = prop_oneof![Just(Texture::PLAIN), [row(), row()]];
+    (picture, transform, [wrap(), wrap()], filter, alpha).prop_map(
+        |(picture, transform, wrap, filter, alpha)| Texture { picture, transform, wrap, filter, alpha },
+    )
+}
+
 fn polygon() -> impl Strategy<Value = Shape> {
     let point = |z: f64| (-9.0..9.0, -9.0..9.0).prop_map(move |(x, y)| vec3(x, y, z));
     (number(), vec(0.0..1.0, 0..3)).prop_flat_map(move |(z, holes)| {
@@ -172,14 +194,17 @@ fn polygon() -> impl Strategy<Value = Shape> {
 }
 
 fn mesh() -> impl Strategy<Value = Shape> {
-    (vec((vector(), direction(), color()), 1..12), any::<bool>(), any::<bool>()).prop_flat_map(
-        |(points, smooth, colored)| {
+    let points = vec((vector(), direction(), color(), [number(), number()]), 1..12);
+    (points, any::<bool>(), any::<bool>(), any::<bool>()).prop_flat_map(
+        |(points, smooth, colored, textured)| {
             let index = 0..points.len() as u32;
             vec([index.clone(), index.clone(), index], 0..12).prop_map(move |triangles| {
                 let positions = points.iter().map(|(p, ..)| *p).collect();
-                let normals = if smooth { points.iter().map(|(_, n, _)| *n).collect() } else { Vec::new() };
-                let colors = if colored { points.iter().map(|(.., c)| *c).collect() } else { Vec::new() };
-                Shape::from(Mesh { positions, normals, colors, triangles, ..Mesh::default() })
+                let normals = if smooth { points.iter().map(|(_, n, ..)| *n).collect() } else { Vec::new() };
+                let colors =
+                    if colored { points.iter().map(|(_, _, c, _)| *c).collect() } else { Vec::new() };
+                let texcoords = if textured { points.iter().map(|(.., t)| *t).collect() } else { Vec::new() };
+                Shape::from(Mesh { positions, normals, colors, triangles, texcoords })
             })
         },
     )

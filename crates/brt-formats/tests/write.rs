@@ -34,7 +34,7 @@ radius = 1.5
 "#;
 
 fn written(format: Format, text: &str) -> (String, Vec<String>) {
-    let Written { text, report } = write(format, &good(Format::Toml, text).0).unwrap();
+    let Written { text, report, .. } = write(format, &good(Format::Toml, text).0).unwrap();
     (text, report.diagnostics.into_iter().map(|d| d.message).collect())
 }
 

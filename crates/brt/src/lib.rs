@@ -63,8 +63,8 @@ pub use brt_scene as scene;
 pub use brt_scene::framing;
 
 pub use brt_formats::{
-    Format, Given, Imported, Limits, LoadError, Loaded, Written, import, load, load_as, parse, write,
-    write_toml,
+    FileBeside, Format, Given, Imported, Limits, LoadError, Loaded, Written, import, load, load_as, parse,
+    write, write_beside, write_toml,
 };
 pub use brt_geometry::{Vec3, vec3};
 pub use brt_image::{

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use brt::{Format, Written, write};
+use brt::{Format, write, write_beside};
 use clap::Args;
 
-use crate::commands::text_file::TextFile;
+use crate::commands::scene_files;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::scene_input::{self, InputOptions, check_distinct, is_dash};
 use crate::{diagnostics, output, values};
@@ -17,6 +17,9 @@ pub(crate) struct Options {
     #[arg(value_name = "IN")]
     input: PathBuf,
     /// File to write, .toml, .pov (POV-Ray) or .dat (Tachyon); `-` for TOML on standard output
+    ///
+    /// Beside `OUT.toml` large meshes become `OUT.NAME.ply` and pictures `OUT.NAME.png`, which it names; on standard
+    /// output all stands in the text.
     #[arg(value_name = "OUT")]
     output: PathBuf,
     /// Picture size that .pov and .dat are written for [default: the scene's, else 1024x1024]
@@ -29,14 +32,16 @@ pub(crate) struct Options {
 
 /// Converts a scene.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let Options { input, output: path, size, reading } = options;
+    let Options { input: from, output: path, size, reading } = options;
     let format = written_format(path)?;
-    check_distinct(input, std::slice::from_ref(path))?;
-    let mut input = scene_input::read(input, reading, u64::MAX)?;
+    check_distinct(from, std::slice::from_ref(path))?;
+    let mut input = scene_input::read(from, reading, u64::MAX)?;
     input.show_warnings();
     input.scene.size = size.or(input.scene.size);
-    let Written { text, report } = write(format, &input.scene)?;
-    TextFile::open(path)?.write(&text)?;
+    let written =
+        if is_dash(path) { write(format, &input.scene) } else { write_beside(format, &input.scene, path) }?;
+    scene_files::put(from, path, &written)?;
+    let report = written.report;
     if !report.diagnostics.is_empty() {
         output::drawn(&diagnostics::draw(&report, &path.display().to_string(), ""));
     }

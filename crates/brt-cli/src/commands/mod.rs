@@ -8,5 +8,6 @@ pub(crate) mod paper;
 pub(crate) mod peers;
 pub(crate) mod render;
 pub(crate) mod scene;
+mod scene_files;
 pub(crate) mod shell;
 mod text_file;

@@ -82,6 +82,54 @@ fn models_are_inspected_and_converted() {
     bench.done("render part.toml --no-save -s 8x8 --samples 1");
 }
 
+/// The beginning of a hill of 1250 triangles with a picture on it.
+const HILL: &str = "mtllib hill.mtl\nusemtl m\n";
+
+#[test]
+fn converted_scenes_have_files_beside_them() {
+    let bench = bench();
+    let mut hill = HILL.to_owned();
+    for i in 0..26 * 26 {
+        let (a, b) = (f64::from(i % 26), f64::from(i / 26));
+        hill += &format!("v {a} {b} {}\nvt {} {}\n", (a * 0.3).sin(), a / 25.0, b / 25.0);
+    }
+    for i in 0..25 * 25 {
+        let p = i / 25 * 26 + i % 25 + 1;
+        hill += &format!("f {p}/{p} {q}/{q} {r}/{r} {s}/{s}\n", q = p + 1, r = p + 27, s = p + 26);
+    }
+    bench.write("hill.obj", &hill);
+    bench.write("hill.mtl", "newmtl m\nmap_Kd wood.png\n");
+    bench.done("render part.off -o wood.png -s 8x8");
+    bench.done("convert hill.obj out.toml");
+    let is_ours = |name: &String| name.starts_with("out.");
+    let ours: Vec<String> = bench.files().into_iter().filter(is_ours).collect();
+    assert_eq!(ours, ["out.mesh.ply", "out.toml"]);
+    let text = String::from_utf8(bench.read("out.toml")).unwrap();
+    assert!(text.contains("import = \"out.mesh.ply\"") && text.contains("file = \"wood.png\""), "{text}");
+    for name in ["hill.obj", "out.toml"] {
+        // Of a model the camera suits the picture's shape; that of the scene was made for a square.
+        bench.done(&format!("render {name} -o {name}.png -s 40x40 --samples 1"));
+    }
+    assert_eq!(bench.read("hill.obj.png"), bench.read("out.toml.png"));
+    let piped = bench.done("convert hill.obj -");
+    let piped = piped.text();
+    assert!(piped.contains("data = \"") && !piped.contains("import"));
+
+    // Again is fine; a file that no scene of ours names is left as it is.
+    bench.done("convert hill.obj out.toml");
+    bench.write("new.mesh.ply", "mine");
+    let ended = bench.run("convert hill.obj new.toml");
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.errors.contains("new.mesh.ply: another file is there"), "{}", ended.errors);
+    assert_eq!(bench.read("new.mesh.ply"), b"mine");
+    assert!(!bench.path("new.toml").exists());
+    // What cannot be written in full is not begun.
+    fs::create_dir(bench.path("folder.toml")).unwrap();
+    let before = bench.files();
+    assert_eq!(bench.run("convert hill.obj folder.toml").code, Some(1));
+    assert_eq!(bench.files(), before);
+}
+
 #[test]
 fn shells_and_man_are_served() {
     let bench = bench();

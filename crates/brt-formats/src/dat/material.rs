@@ -15,6 +15,9 @@ impl Writer {
         if m.emission != Rgb::BLACK {
             self.losses.note_for("Tachyon knows no emission; it is left out", name());
         }
+        if m.texture.is_some() {
+            self.losses.note_for("pictures on surfaces are left out", name());
+        }
         let mut body = m.color;
         if let Some(checker) = &m.checker {
             self.losses

@@ -16,6 +16,7 @@ use crate::Written;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
+use crate::write::alone;
 
 /// The scene as Tachyon reads it.
 pub(crate) fn write(scene: &Scene) -> Written {
@@ -31,7 +32,7 @@ pub(crate) fn write(scene: &Scene) -> Written {
         out.object(object, scene);
     }
     out.line(format_args!("END_SCENE"));
-    Written { text: out.text, report: out.losses.into_report() }
+    alone(out.text, out.losses.into_report())
 }
 
 /// The text under construction.

@@ -45,7 +45,7 @@ pub(super) fn read<'b>(
 }
 
 /// `data:…;base64,…`
-fn inline(uri: &str) -> Result<Vec<u8>, String> {
+pub(super) fn inline(uri: &str) -> Result<Vec<u8>, String> {
     let Some((_, data)) = uri.split_once(";base64,") else {
         return Err("only base64 can be read".to_owned());
     };
@@ -56,7 +56,7 @@ fn inline(uri: &str) -> Result<Vec<u8>, String> {
 }
 
 /// Percent signs of a URI.
-fn decoded(uri: &str) -> String {
+pub(super) fn decoded(uri: &str) -> String {
     let bytes = uri.as_bytes();
     let mut out = Vec::with_capacity(bytes.len());
     let mut i = 0;

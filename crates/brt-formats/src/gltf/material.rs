@@ -7,28 +7,41 @@
 //! * reflection = 0.6·m·g² + 0.04·g⁸: mirrors are metals, and anything polished a little;
 //! * transmission t (KHR_materials_transmission): transmission = t, diffuse and ambient times 1 − t, refraction by
 //!   KHR_materials_ior, no shadow where t > 0.5;
-//! * alpha mode BLEND, alpha a: transmission = 1 − a without refraction, diffuse and ambient times a. Under MASK the
-//!   whole material is there or not;
-//! * emission e: added to the ambient share, as far as the colour allows: ambient = 0.1 + greatest channel of e, and the
-//!   colour is e's where that is brighter;
+//! * base colour texture: the colour is multiplied with it;
+//! * alpha mode OPAQUE: opacity 1, the texture's alpha ignored; BLEND: opacity = alpha, times the texture's; MASK: the
+//!   texture's alpha times the material's is held against the cutoff, without a texture all is there or nothing;
+//! * emission = emissive factor times KHR_materials_emissive_strength; with an emissive texture, which is ignored, none:
+//!   it would be dark in most places, and the factor alone says nothing;
 //! * KHR_materials_unlit: ambient = 1, nothing else.
 
-use brt_image::{Rgb, rgb};
-use brt_scene::{Highlight, Material, MaterialId};
+use brt_image::rgb;
+use brt_scene::{Highlight, Material, MaterialId, TextureAlpha};
 use gltf::Document;
 use gltf::material::AlphaMode;
 
+use super::texture::{Textures, texcoord_set};
 use crate::import::Draft;
 
+/// A material and the set of texture coordinates that its texture uses.
+#[derive(Clone, Copy)]
+pub(super) struct Surface {
+    pub(super) material: MaterialId,
+    pub(super) texcoords: Option<u32>,
+}
+
 /// Our materials in the file's order.
-pub(super) fn read(document: &Document, draft: &mut Draft) -> Vec<MaterialId> {
+pub(super) fn read(document: &Document, textures: &mut Textures, draft: &mut Draft) -> Vec<Surface> {
     document
         .materials()
         .enumerate()
         .map(|(i, material)| {
             note_pictures(&material, i, draft);
-            let ours = convert(&material, i);
-            draft.scene.add_material(ours)
+            let mut ours = convert(&material, i);
+            let info = material.pbr_metallic_roughness().base_color_texture();
+            ours.texture = info.as_ref().and_then(|info| textures.read(info, i, draft));
+            cover(&mut ours, &material);
+            let texcoords = info.filter(|_| ours.texture.is_some()).map(|info| texcoord_set(&info));
+            Surface { material: draft.scene.add_material(ours), texcoords }
         })
         .collect()
 }
@@ -36,7 +49,6 @@ pub(super) fn read(document: &Document, draft: &mut Draft) -> Vec<MaterialId> {
 fn note_pictures(material: &gltf::Material, i: usize, draft: &mut Draft) {
     let pbr = material.pbr_metallic_roughness();
     let pictures = [
-        ("base colour", pbr.base_color_texture().is_some()),
         ("metallic-roughness", pbr.metallic_roughness_texture().is_some()),
         ("normal", material.normal_texture().is_some()),
         ("occlusion", material.occlusion_texture().is_some()),
@@ -52,7 +64,7 @@ fn note_pictures(material: &gltf::Material, i: usize, draft: &mut Draft) {
 fn convert(material: &gltf::Material, i: usize) -> Material {
     let pbr = material.pbr_metallic_roughness();
     let name = material.name().map_or_else(|| format!("material {i}"), str::to_owned);
-    let [r, g, b, alpha] = pbr.base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
+    let [r, g, b, _] = pbr.base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
     let mut ours = Material::matte(name, rgb(r, g, b));
     if material.unlit() {
         (ours.ambient, ours.diffuse) = (1.0, 0.0);
@@ -61,25 +73,35 @@ fn convert(material: &gltf::Material, i: usize) -> Material {
         shine(&mut ours, metallic, f64::from(pbr.roughness_factor()).clamp(0.0, 1.0));
         glow(&mut ours, material);
     }
-    let (transmission, refraction) = match material.transmission() {
-        Some(t) => {
-            (f64::from(t.transmission_factor()).clamp(0.0, 1.0), f64::from(material.ior().unwrap_or(1.5)))
-        }
-        None => (0.0, 1.0),
-    };
-    if transmission > 0.0 {
-        see_through(&mut ours, transmission, refraction);
-    } else {
-        match material.alpha_mode() {
-            AlphaMode::Opaque => {}
-            AlphaMode::Mask => {
-                let cutoff = f64::from(material.alpha_cutoff().unwrap_or(0.5));
-                see_through(&mut ours, if alpha < cutoff { 1.0 } else { 0.0 }, 1.0);
-            }
-            AlphaMode::Blend => see_through(&mut ours, 1.0 - alpha, 1.0),
-        }
+    if let Some(transmission) = material.transmission() {
+        let share = f64::from(transmission.transmission_factor()).clamp(0.0, 1.0);
+        see_through(&mut ours, share, f64::from(material.ior().unwrap_or(1.5)));
     }
     ours
+}
+
+/// Opacity, and what the texture's alpha is for.
+fn cover(ours: &mut Material, material: &gltf::Material) {
+    let alpha = f64::from(material.pbr_metallic_roughness().base_color_factor()[3]).clamp(0.0, 1.0);
+    match (material.alpha_mode(), &mut ours.texture) {
+        (AlphaMode::Opaque, _) => {}
+        (AlphaMode::Blend, texture) => {
+            ours.opacity = alpha;
+            if let Some(texture) = texture {
+                texture.alpha = TextureAlpha::Blend;
+            }
+        }
+        (AlphaMode::Mask, texture) => {
+            let cutoff = f64::from(material.alpha_cutoff().unwrap_or(0.5)).max(0.0);
+            match texture {
+                // A texture only takes away from what the factor says.
+                Some(texture) if cutoff <= alpha && alpha > 0.0 => {
+                    texture.alpha = TextureAlpha::Mask(cutoff / alpha);
+                }
+                _ => ours.opacity = if alpha < cutoff { 0.0 } else { 1.0 },
+            }
+        }
+    }
 }
 
 fn shine(ours: &mut Material, metallic: f64, roughness: f64) {
@@ -99,19 +121,14 @@ fn shine(ours: &mut Material, metallic: f64, roughness: f64) {
 }
 
 fn glow(ours: &mut Material, material: &gltf::Material) {
-    let strength = f64::from(material.emissive_strength().unwrap_or(1.0)).clamp(0.0, 1.0);
-    let [r, g, b] = material.emissive_factor().map(|c| f64::from(c).clamp(0.0, 1.0) * strength);
-    let light = r.max(g).max(b);
-    // A texture that is ignored would be dark in most places: its factor alone says nothing.
-    if light == 0.0 || material.emissive_texture().is_some() {
+    /// Far beyond every picture's white, and far from overflow.
+    const STRONGEST: f64 = 1e9;
+    if material.emissive_texture().is_some() {
         return;
     }
-    let body = ours.color.r.max(ours.color.g).max(ours.color.b);
-    if light >= body {
-        let scaled: Rgb = rgb(r, g, b) * (1.0 / light);
-        ours.color = scaled;
-    }
-    ours.ambient += light;
+    let strength = f64::from(material.emissive_strength().unwrap_or(1.0)).clamp(0.0, STRONGEST);
+    let [r, g, b] = material.emissive_factor().map(|c| f64::from(c).clamp(0.0, 1.0) * strength);
+    ours.emission = rgb(r, g, b);
 }
 
 fn see_through(ours: &mut Material, share: f64, refraction: f64) {

@@ -12,6 +12,7 @@ use crate::import::{Draft, Geometry, Stop, fault};
 /// The triangles of a primitive; `None` for what is none, which is said.
 pub(super) fn geometry(
     primitive: &Primitive,
+    texcoords: Option<u32>,
     place: &str,
     buffers: &Buffers,
     draft: &mut Draft,
@@ -43,6 +44,9 @@ pub(super) fn geometry(
             .map(|[r, g, b]| rgb(r, g, b))
             .collect();
     }
+    if let Some(set) = texcoords {
+        read_texcoords(&mut geometry, primitive, set, place, buffers, draft)?;
+    }
     let corners = match primitive.indices() {
         Some(accessor) => {
             draft.expect(0, accessor.count() / 3)?;
@@ -55,6 +59,26 @@ pub(super) fn geometry(
     }
     geometry.triangles = triangles(primitive.mode(), &corners);
     Ok(Some(geometry))
+}
+
+fn read_texcoords(
+    geometry: &mut Geometry,
+    primitive: &Primitive,
+    set: u32,
+    place: &str,
+    buffers: &Buffers,
+    draft: &mut Draft,
+) -> Result<(), Stop> {
+    let accessor = primitive.get(&Semantic::TexCoords(set));
+    let Some(accessor) = accessor.filter(|a| a.count() == geometry.positions.len()) else {
+        draft.notices.note("mesh without the coordinates of its texture", place.to_owned());
+        return Ok(());
+    };
+    geometry.texcoords = rows::<2>(&accessor, buffers)?;
+    if geometry.drop_wild_texcoords() {
+        draft.notices.note("texture coordinates that are no numbers ignored", place.to_owned());
+    }
+    Ok(())
 }
 
 fn triangles(mode: Mode, corners: &[u32]) -> Vec<[u32; 3]> {

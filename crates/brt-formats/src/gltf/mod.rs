@@ -1,10 +1,10 @@
 //! glTF 2.0 (Khronos), as JSON with files beside it or as one binary file (GLB).
 //!
 //! JSON and its cross references are read and validated by the `gltf` crate; what buffers hold is read here, since the
-//! crate's iterators trust them. Meshes are put in place once for each node. +y is up.
+//! crate's iterators trust them. Nodes that have the same mesh share it. +y is up.
 //!
-//! Metallic and rough surfaces become Whitted's model (`material.rs`). Pictures, skins, morph targets, animations and
-//! lines are ignored and reported.
+//! Metallic and rough surfaces become Whitted's model (`material.rs`), with the pictures of their base colours. Other
+//! pictures, skins, morph targets, animations and lines are ignored and reported.
 
 mod accessor;
 mod buffers;
@@ -13,6 +13,7 @@ mod light;
 mod material;
 mod mesh;
 mod nodes;
+mod texture;
 
 use std::collections::BTreeMap;
 
@@ -23,23 +24,25 @@ use gltf::json::Root;
 use crate::import::{Beside, Draft, Stop, fault};
 use crate::load::Imported;
 use crate::{Limits, ParseError};
+use texture::Textures;
 
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusY);
-    match read_file(bytes, beside, &mut draft) {
+    match read_file(bytes, beside, limits, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
 }
 
-fn read_file(bytes: &[u8], beside: &mut Beside, draft: &mut Draft) -> Result<(), Stop> {
+fn read_file(bytes: &[u8], beside: &mut Beside, limits: &Limits, draft: &mut Draft) -> Result<(), Stop> {
     let (json, binary) = container::parts(bytes)?;
     let document = parsed(json)?;
     note_ignored(&document, draft);
     let buffers = buffers::read(&document, binary, beside)?;
-    let materials = material::read(&document, draft);
-    nodes::add(&document, &buffers, &materials, draft)
+    let mut textures = Textures::new(&document, &buffers, beside, limits);
+    let surfaces = material::read(&document, &mut textures, draft);
+    nodes::add(&document, &buffers, &surfaces, draft)
 }
 
 fn parsed(json: &[u8]) -> Result<Document, Stop> {

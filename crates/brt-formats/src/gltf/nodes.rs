@@ -1,14 +1,17 @@
 //! The node hierarchy: meshes, cameras and lights in their places.
 
+use std::collections::HashMap;
+
 use brt_geometry::vec3;
-use brt_scene::{Camera, MaterialId, Projection};
+use brt_scene::{Camera, Projection};
 use gltf::{Document, Node};
 
 use super::buffers::Buffers;
 use super::light::Lights;
+use super::material::Surface;
 use super::mesh;
 use crate::Limits;
-use crate::import::{Affine, CREASE_DEG, Crease, Draft, Stop, fault};
+use crate::import::{Affine, CREASE_DEG, Crease, Draft, Part, Stop, fault};
 
 /// Nodes that are visited at most: a node may be the child of many.
 const MOST_VISITS: u32 = 1_000_000;
@@ -17,10 +20,11 @@ const MOST_VISITS: u32 = 1_000_000;
 pub(super) fn add(
     document: &Document,
     buffers: &Buffers,
-    materials: &[MaterialId],
+    surfaces: &[Surface],
     draft: &mut Draft,
 ) -> Result<(), Stop> {
-    let mut walk = Walk { buffers, materials, lights: Lights::default(), visits: 0 };
+    let mut walk =
+        Walk { buffers, surfaces, shared: shared_meshes(document), lights: Lights::default(), visits: 0 };
     match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => {
             for node in scene.nodes() {
@@ -37,9 +41,19 @@ pub(super) fn add(
     Ok(())
 }
 
+/// Meshes that more than one node has; their parts are filled in when they are met.
+fn shared_meshes(document: &Document) -> HashMap<usize, Option<Vec<Part>>> {
+    let mut uses = HashMap::<usize, u32>::new();
+    for mesh in document.nodes().filter_map(|node| node.mesh()) {
+        *uses.entry(mesh.index()).or_default() += 1;
+    }
+    uses.into_iter().filter(|&(_, count)| count > 1).map(|(mesh, _)| (mesh, None)).collect()
+}
+
 struct Walk<'b> {
     buffers: &'b Buffers<'b>,
-    materials: &'b [MaterialId],
+    surfaces: &'b [Surface],
+    shared: HashMap<usize, Option<Vec<Part>>>,
     lights: Lights,
     visits: u32,
 }
@@ -80,16 +94,46 @@ impl Walk<'_> {
         name: Option<&str>,
         draft: &mut Draft,
     ) -> Result<(), Stop> {
+        if let (Some(known), Some(transform)) = (self.shared.get(&mesh.index()), place.as_transform()) {
+            let parts = match known {
+                Some(parts) => {
+                    draft.expect_again(parts)?;
+                    parts.clone()
+                }
+                None => {
+                    let parts = self.parts(mesh, &Affine::IDENTITY, name, draft)?;
+                    self.shared.insert(mesh.index(), Some(parts.clone()));
+                    parts
+                }
+            };
+            draft.place(&parts, transform, name);
+            return Ok(());
+        }
+        let parts = self.parts(mesh, place, name, draft)?;
+        draft.place(&parts, brt_geometry::Affine::IDENTITY, name);
+        Ok(())
+    }
+
+    /// The primitives of a mesh somewhere.
+    fn parts(
+        &self,
+        mesh: &gltf::Mesh,
+        place: &Affine,
+        name: Option<&str>,
+        draft: &mut Draft,
+    ) -> Result<Vec<Part>, Stop> {
+        let mut parts = Vec::new();
         for primitive in mesh.primitives() {
             let part = format!("primitive {} of mesh {}", primitive.index(), mesh.index());
-            let Some(geometry) = mesh::geometry(&primitive, &part, self.buffers, draft)? else { continue };
-            let material = match primitive.material().index().and_then(|i| self.materials.get(i)) {
-                Some(&material) => material,
-                None => draft.plain(),
-            };
-            draft.add_geometry(geometry.moved(place), Some(&Crease::new(CREASE_DEG)), material, name)?;
+            let surface = primitive.material().index().and_then(|i| self.surfaces.get(i));
+            let texcoords = surface.and_then(|surface| surface.texcoords);
+            let read = mesh::geometry(&primitive, texcoords, &part, self.buffers, draft)?;
+            let Some(geometry) = read else { continue };
+            let material = surface.map_or_else(|| draft.plain(), |surface| surface.material);
+            let geometry = if *place == Affine::IDENTITY { geometry } else { geometry.moved(place) };
+            parts.extend(draft.parts(geometry, Some(&Crease::new(CREASE_DEG)), material, name)?);
         }
-        Ok(())
+        Ok(parts)
     }
 }
 

@@ -51,6 +51,12 @@ impl Affine {
         self.x * d.x + self.y * d.y + self.z * d.z
     }
 
+    /// As the transform of an object, if it is one: flat ones are none.
+    pub(crate) fn as_transform(&self) -> Option<brt_geometry::Affine> {
+        let transform = brt_geometry::Affine { axes: [self.x, self.y, self.z], offset: self.origin };
+        (transform.is_finite() && transform.determinant() != 0.0).then_some(transform)
+    }
+
     /// A normal, times a positive factor: by the cofactors, which exist for flattened parts too.
     pub(crate) fn normal(&self, n: Vec3) -> Vec3 {
         let cofactors = self.y.cross(self.z) * n.x + self.z.cross(self.x) * n.y + self.x.cross(self.y) * n.z;

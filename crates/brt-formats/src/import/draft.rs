@@ -2,15 +2,17 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use brt_geometry::vec3;
 use brt_image::{Rgb, rgb};
 use brt_scene::framing::{Framing, Up, framed_camera, studio_lights};
-use brt_scene::{Camera, Diagnostic, Material, MaterialId, Object, Projection, Scene, Shape};
+use brt_scene::{Camera, Diagnostic, Material, MaterialId, Mesh, Object, Projection, Scene, Shape};
 
 use super::{Crease, Geometry, Notices};
 use crate::limits::Counter;
 use crate::load::Imported;
+use crate::meshes::Meshes;
 use crate::{Given, LimitExceeded, Limits, ParseError};
 
 /// Colour of what a file gives no colour: a light grey with a touch of blue, linear RGB.
@@ -21,8 +23,17 @@ pub(crate) struct Draft {
     pub(crate) scene: Scene,
     pub(crate) given: Given,
     pub(crate) notices: Notices,
+    /// Only geometry is wanted.
+    bare: bool,
     counter: Counter,
     tints: HashMap<(MaterialId, [u64; 3]), MaterialId>,
+}
+
+/// A mesh and its material, which objects may share.
+#[derive(Clone)]
+pub(crate) struct Part {
+    mesh: Arc<Mesh>,
+    material: MaterialId,
 }
 
 /// Why a file is not read to its end.
@@ -63,9 +74,19 @@ impl Draft {
             scene: Scene::new(stand_in),
             given: Given { up, ..Given::nothing() },
             notices: Notices::default(),
+            bare: false,
             counter: Counter::new(limits),
             tints: HashMap::new(),
         }
+    }
+
+    /// A model of which only the geometry is wanted: no materials, colours stay with their points.
+    pub(crate) fn bare(limits: &Limits) -> Self {
+        Self { bare: true, ..Self::new(limits, Up::PlusZ) }
+    }
+
+    pub(crate) fn is_bare(&self) -> bool {
+        self.bare
     }
 
     /// The material of all that the file gives no colour.
@@ -87,19 +108,36 @@ impl Draft {
     /// Adds triangles; those without normals become smooth where `crease` lets them.
     pub(crate) fn add_geometry(
         &mut self,
-        mut geometry: Geometry,
+        geometry: Geometry,
         crease: Option<&Crease>,
         material: MaterialId,
         name: Option<&str>,
     ) -> Result<(), LimitExceeded> {
+        let parts = self.parts(geometry, crease, material, name)?;
+        self.place(&parts, brt_geometry::Affine::IDENTITY, name);
+        Ok(())
+    }
+
+    /// The meshes that triangles become, for objects that share them.
+    pub(crate) fn parts(
+        &mut self,
+        mut geometry: Geometry,
+        crease: Option<&Crease>,
+        material: MaterialId,
+        name: Option<&str>,
+    ) -> Result<Vec<Part>, LimitExceeded> {
         self.counter.points(geometry.positions.len())?;
         self.counter.objects(geometry.triangles.len())?;
         if geometry.normals.iter().any(|n| n.try_normalize().is_none()) {
             self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
             geometry.normals.clear();
         }
-        // Smoothing groups are one per triangle and cannot lose any.
-        if !crease.is_some_and(Crease::has_groups) {
+        if !self.bare && self.scene.materials[material.0 as usize].texture.is_none() {
+            geometry.texcoords.clear();
+        }
+        // Smoothing groups are one per triangle and cannot lose any. A mesh that is only imported stays as it is.
+        let keeps_all = crease.map_or(self.bare, Crease::has_groups);
+        if !keeps_all {
             let flat = geometry.drop_degenerate();
             self.notices.note_many("triangles without an area left out", flat, part(name));
         }
@@ -107,15 +145,29 @@ impl Draft {
             Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease),
             _ => vec![geometry],
         };
-        for (color, part) in parts.into_iter().flat_map(Geometry::by_color) {
-            if part.triangles.is_empty() {
-                continue;
-            }
+        let bare = self.bare;
+        let parts =
+            parts.into_iter().flat_map(|part| if bare { vec![(None, part)] } else { part.by_color() });
+        let parts = parts.filter(|(_, part)| !part.triangles.is_empty());
+        let finished = parts.map(|(color, part)| {
             let material = color.map_or(material, |color| self.tinted(material, color));
-            let object = Object::new(part.into_shape(), material);
-            self.scene.objects.push(Object { name: name.map(str::to_owned), ..object });
-        }
-        Ok(())
+            Part { mesh: Arc::new(part.into_mesh()), material }
+        });
+        Ok(finished.collect())
+    }
+
+    /// Adds parts somewhere.
+    pub(crate) fn place(&mut self, parts: &[Part], at: brt_geometry::Affine, name: Option<&str>) {
+        self.scene.objects.extend(parts.iter().map(|part| Object {
+            name: name.map(str::to_owned),
+            transform: at,
+            ..Object::new(Shape::Mesh(part.mesh.clone()), part.material)
+        }));
+    }
+
+    /// Counts parts that are placed once more: they share their memory, but rendering copies them.
+    pub(crate) fn expect_again(&mut self, parts: &[Part]) -> Result<(), LimitExceeded> {
+        parts.iter().try_for_each(|part| self.expect(part.mesh.positions.len(), part.mesh.triangles.len()))
     }
 
     /// The same material, times a colour.
@@ -139,6 +191,16 @@ impl Draft {
         self.counter.objects(1)?;
         self.scene.objects.push(Object { name: name.map(str::to_owned), ..Object::new(shape, material) });
         Ok(())
+    }
+
+    /// The meshes of a bare model.
+    pub(crate) fn into_meshes(self) -> Meshes {
+        let objects = self.scene.objects.into_iter();
+        let meshes = objects.filter_map(|object| match object.shape {
+            Shape::Mesh(mesh) => Some(mesh),
+            _ => None,
+        });
+        Meshes { meshes: meshes.collect(), report: self.notices.into_report() }
     }
 
     /// What is said where a file was not read to its end.

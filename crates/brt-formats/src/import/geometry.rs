@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use brt_geometry::{FACET_ANGLE, Vec3};
 use brt_image::Rgb;
-use brt_scene::{Mesh, Shape};
+use brt_scene::Mesh;
 
 use super::affine::Affine;
 use super::crease::Crease;
@@ -113,6 +113,17 @@ impl Geometry {
         parts
     }
 
+    /// Leaves out texture coordinates that say nothing; are there any?
+    pub(crate) fn drop_wild_texcoords(&mut self) -> bool {
+        /// Beyond this a `f64` tells no texel of a large picture from the next.
+        const GREATEST: f64 = 1e9;
+        let wild = self.texcoords.iter().flatten().any(|c| c.is_nan() || c.abs() > GREATEST);
+        if wild {
+            self.texcoords.clear();
+        }
+        wild
+    }
+
     /// The same somewhere else.
     pub(crate) fn moved(mut self, to: &Affine) -> Self {
         self.positions.iter_mut().for_each(|p| *p = to.point(*p));
@@ -123,10 +134,10 @@ impl Geometry {
         self
     }
 
-    /// As a shape of the scene.
-    pub(crate) fn into_shape(self) -> Shape {
+    /// As a mesh of the scene.
+    pub(crate) fn into_mesh(self) -> Mesh {
         let Self { positions, normals, colors, texcoords, triangles } = self;
-        Mesh { positions, normals, colors, texcoords, triangles }.into()
+        Mesh { positions, normals, colors, texcoords, triangles }
     }
 }
 

@@ -7,6 +7,7 @@ mod crease;
 mod draft;
 mod geometry;
 mod notices;
+mod picture;
 mod polygon;
 mod weld;
 
@@ -14,8 +15,9 @@ pub(crate) use affine::Affine;
 pub(crate) use beside::Beside;
 pub(crate) use color::srgb;
 pub(crate) use crease::{CREASE_DEG, Crease};
-pub(crate) use draft::{Draft, Stop, fault};
+pub(crate) use draft::{Draft, Part, Stop, fault};
 pub(crate) use geometry::Geometry;
 pub(crate) use notices::Notices;
+pub(crate) use picture::{Picture, Pictures};
 pub(crate) use polygon::fan_or_cut;
 pub(crate) use weld::Weld;

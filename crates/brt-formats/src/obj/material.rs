@@ -2,79 +2,140 @@
 //!
 //! How they become ours: colours are sRGB. `Kd` is the body's colour; `Ks` (its mean) with `Ns` is the highlight, at half
 //! its strength, since exporters write 1 for anything; with `illum` 3 and more `Ks` is the mirror's share, too. `d` or
-//! `Tr` is transparency, which refracts (`Ni`) with `illum` 6 and 7 only.
+//! `Tr` is opacity, with `illum` 6 and 7 glass that refracts (`Ni`). `Ke` is emission. `Kd` is multiplied with `map_Kd`;
+//! a black one is taken for white, since exporters write it where the map alone is meant.
 
 use std::collections::HashMap;
 
 use brt_image::Rgb;
 use brt_scene::{Material, MaterialId};
 
-use crate::import::{Beside, Draft, srgb};
-use crate::words::Words;
+use super::map::Map;
+use crate::Limits;
+use crate::import::{Beside, Draft, Pictures, srgb};
+use crate::words::{Word, Words};
 
 /// Materials by name.
-#[derive(Default)]
-pub(super) struct Materials(HashMap<String, MaterialId>);
+pub(super) struct Materials {
+    ids: HashMap<String, MaterialId>,
+    pictures: Pictures,
+}
 
 /// A material as the file has it.
 struct Entry {
     name: String,
-    diffuse: Rgb,
+    diffuse: Option<Rgb>,
+    map: Option<Map>,
+    emission: Rgb,
     specular: f64,
     exponent: f64,
     opacity: f64,
     index: f64,
     illumination: f64,
+    glows: bool,
 }
 
 impl Materials {
+    pub(super) fn new(limits: &Limits) -> Self {
+        Self { ids: HashMap::new(), pictures: Pictures::new(limits) }
+    }
+
     pub(super) fn find(&self, name: &str) -> Option<MaterialId> {
-        self.0.get(name).copied()
+        self.ids.get(name).copied()
     }
 
     /// Reads a library beside the OBJ file. The error says why it could not be read.
     pub(super) fn read(&mut self, name: &str, beside: &mut Beside, draft: &mut Draft) -> Result<(), String> {
         let bytes = beside.read(name)?;
+        let slash = name.rfind(['/', '\\']).map_or(0, |at| at + 1);
+        let mut library = Library { folder: &name[..slash], materials: self, beside, draft };
         let mut words = Words::new(&bytes);
         let mut entry: Option<Entry> = None;
         while let Some(word) = words.next() {
             if word.is("newmtl") {
-                self.add(entry.take(), draft);
-                entry = Some(Entry::new(String::from_utf8_lossy(words.rest_of_line()).trim()));
+                library.add(entry.take());
+                entry = Some(Entry::new(&text(words.rest_of_line())));
                 continue;
             }
-            let what = word.excerpt();
-            let numbers: Vec<f64> =
-                std::iter::from_fn(|| words.next_on_line()).take(4).map_while(|w| w.finite()).collect();
-            let known = entry.as_mut().is_none_or(|entry| entry.set(&what, &numbers));
-            if !known {
-                draft.notices.note(&format!("`{what}` of materials ignored"), format!("`{name}`"));
+            if let Some(entry) = &mut entry {
+                library.line(&word, &mut words, entry);
             }
             words.skip_line();
         }
-        self.add(entry, draft);
+        library.add(entry);
         Ok(())
     }
+}
 
-    fn add(&mut self, entry: Option<Entry>, draft: &mut Draft) {
-        if let Some(entry) = entry {
-            let name = entry.name.clone();
-            let id = draft.scene.add_material(entry.into_material());
-            self.0.insert(name, id);
+/// A library that is read.
+struct Library<'l> {
+    /// With a slash at its end, if it is another than that of the OBJ file.
+    folder: &'l str,
+    materials: &'l mut Materials,
+    beside: &'l mut Beside,
+    draft: &'l mut Draft,
+}
+
+impl Library<'_> {
+    fn line(&mut self, word: &Word, words: &mut Words, entry: &mut Entry) {
+        let what = word.excerpt();
+        let known = match what.as_str() {
+            "map_Kd" => {
+                entry.map = Map::parse(&text(words.rest_of_line()));
+                entry.map.is_some()
+            }
+            // Where the picture is dark nothing glows: without it the factor says nothing.
+            "map_Ke" => {
+                entry.glows = false;
+                false
+            }
+            _ => {
+                let numbers = std::iter::from_fn(|| words.next_on_line());
+                let numbers: Vec<f64> = numbers.take(4).map_while(|w| w.finite()).collect();
+                entry.set(&what, &numbers)
+            }
+        };
+        if !known {
+            self.draft.notices.note(&format!("`{what}` of materials ignored"), format!("`{}`", entry.name));
         }
     }
+
+    fn add(&mut self, entry: Option<Entry>) {
+        let Some(mut entry) = entry else { return };
+        let name = entry.name.clone();
+        let map = entry.map.take();
+        let mut material = entry.into_material(map.is_some());
+        if let Some(map) = map {
+            match map.read(self.folder, self.beside, &mut self.materials.pictures) {
+                Ok(texture) => material.texture = Some(texture),
+                Err(why) => {
+                    let what = format!("picture of a material cannot be read: {why}");
+                    self.draft.notices.note(&what, format!("`{name}`"));
+                }
+            }
+        }
+        let id = self.draft.scene.add_material(material);
+        self.materials.ids.insert(name, id);
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
 impl Entry {
     fn new(name: &str) -> Self {
         Self {
             name: name.to_owned(),
-            diffuse: srgb([0.8, 0.8, 0.8]),
+            diffuse: None,
+            map: None,
+            emission: Rgb::BLACK,
             specular: 0.0,
             exponent: 20.0,
             opacity: 1.0,
             index: 1.0,
             illumination: 2.0,
+            glows: true,
         }
     }
 
@@ -84,24 +145,33 @@ impl Entry {
         // One number stands for all three.
         let three = || [first, *numbers.get(1).unwrap_or(&first), *numbers.get(2).unwrap_or(&first)];
         match what {
-            "Kd" => self.diffuse = srgb(three()),
+            "Kd" => self.diffuse = Some(srgb(three())),
+            "Ke" => self.emission = light(three()),
             "Ks" => self.specular = three().iter().sum::<f64>() / 3.0,
             "Ns" => self.exponent = first,
             "d" => self.opacity = first,
             "Tr" => self.opacity = 1.0 - first,
             "Ni" => self.index = first,
             "illum" => self.illumination = first,
-            // The ambient colour is the body's here; a filter of 1 and no emission change nothing.
+            // The ambient colour is the body's here; a filter of 1 changes nothing.
             "Ka" => {}
             "Tf" => return three() == [1.0; 3],
-            "Ke" => return three() == [0.0; 3],
             _ => return false,
         }
         true
     }
 
-    fn into_material(self) -> Material {
-        let mut material = Material::matte(self.name, self.diffuse);
+    fn into_material(self, has_map: bool) -> Material {
+        let color = match self.diffuse {
+            Some(black) if has_map && black == Rgb::BLACK => Rgb::WHITE,
+            Some(color) => color,
+            None if has_map => Rgb::WHITE,
+            None => srgb([0.8, 0.8, 0.8]),
+        };
+        let mut material = Material::matte(self.name, color);
+        if self.glows {
+            material.emission = self.emission;
+        }
         let shine = self.specular.clamp(0.0, 1.0);
         if self.illumination >= 2.0 {
             material.specular = 0.5 * shine;
@@ -112,14 +182,23 @@ impl Entry {
         }
         // Nobody models what cannot be seen: `Tr 1` is meant as opaque by programs that took it for `d`.
         let opacity = if self.opacity > 0.0 { self.opacity.min(1.0) } else { 1.0 };
-        if opacity < 1.0 {
+        let refracts = self.illumination == 6.0 || self.illumination == 7.0;
+        if opacity < 1.0 && refracts {
             material.transmission = 1.0 - opacity;
             material.diffuse *= opacity;
             material.ambient *= opacity;
             material.casts_shadow = opacity > 0.5;
-            let refracts = self.illumination == 6.0 || self.illumination == 7.0;
-            material.index_of_refraction = if refracts { self.index.clamp(0.1, 10.0) } else { 1.0 };
+            material.index_of_refraction = self.index.clamp(0.1, 10.0);
+        } else {
+            material.opacity = opacity;
         }
         material
     }
+}
+
+/// A colour that may be brighter than white.
+fn light(channels: [f64; 3]) -> Rgb {
+    let [r, g, b] = channels;
+    let strength = r.max(g).max(b).clamp(1.0, 1e9);
+    srgb(channels.map(|c| c / strength)) * strength
 }

@@ -5,6 +5,7 @@
 //! smooth, and where it has none of those either, the angle. +y is up.
 
 mod face;
+mod map;
 mod material;
 mod reader;
 
@@ -13,11 +14,12 @@ use brt_scene::framing::Up;
 use crate::import::{Beside, Draft};
 use crate::load::Imported;
 use crate::{Limits, ParseError};
+pub(crate) use reader::read as read_file;
 
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusY);
-    match reader::read(bytes, beside, &mut draft) {
+    match read_file(bytes, beside, limits, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }

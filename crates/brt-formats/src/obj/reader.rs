@@ -6,16 +6,22 @@ use brt_scene::MaterialId;
 
 use super::face::{Chunk, Corner, Lists};
 use super::material::Materials;
+use crate::Limits;
 use crate::import::{Beside, Draft, Stop, fault, srgb};
 use crate::words::{Word, Words};
 
-/// Reads all lines.
-pub(super) fn read(bytes: &[u8], beside: &mut Beside, draft: &mut Draft) -> Result<(), Stop> {
+/// Reads a file into a model.
+pub(crate) fn read(
+    bytes: &[u8],
+    beside: &mut Beside,
+    limits: &Limits,
+    draft: &mut Draft,
+) -> Result<(), Stop> {
     let mut reader = Reader {
         words: Words::new(bytes),
         lists: Lists::default(),
         chunk: Chunk::default(),
-        materials: Materials::default(),
+        materials: Materials::new(limits),
         material: None,
         name: None,
         group: 0,
@@ -43,7 +49,7 @@ impl Reader<'_> {
         match word.bytes {
             b"v" => self.point(draft)?,
             b"vn" => self.lists.normals.push(self.words.vector("a normal, `vn x y z`")?),
-            b"vt" => self.lists.texcoords += 1,
+            b"vt" => self.texcoord(),
             b"f" => self.face(word, draft)?,
             b"s" => self.smoothing(),
             b"o" | b"g" => {
@@ -51,6 +57,7 @@ impl Reader<'_> {
                 let name = self.text();
                 self.name = (!name.is_empty()).then_some(name);
             }
+            b"usemtl" | b"mtllib" if draft.is_bare() => {}
             b"usemtl" => {
                 self.end_chunk(draft)?;
                 let name = self.text();
@@ -95,6 +102,13 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// The third number is for pictures with depth. What is missing is 0.
+    fn texcoord(&mut self) {
+        let mut number = || self.words.next_on_line().and_then(|word| word.finite()).unwrap_or(0.0);
+        let (u, v) = (number(), number());
+        self.lists.texcoords.push([u, 1.0 - v]);
+    }
+
     fn face(&mut self, word: &Word, draft: &mut Draft) -> Result<(), Stop> {
         let mut corners = Vec::new();
         while let Some(text) = self.words.next_on_line() {
@@ -109,8 +123,20 @@ impl Reader<'_> {
             return Err(fault(message, Some(word.span.clone())));
         }
         draft.expect(0, corners.len() - 2)?;
+        if !self.is_textured(draft) {
+            // Points need not be split where only their places in a picture differ.
+            corners.iter_mut().for_each(|corner| corner.texcoord = None);
+        }
         self.chunk.add(&corners, self.group, &self.lists);
         Ok(())
+    }
+
+    fn is_textured(&self, draft: &Draft) -> bool {
+        if draft.is_bare() {
+            return true;
+        }
+        let material = self.material.and_then(|id| draft.scene.materials.get(id.0 as usize));
+        material.is_some_and(|material| material.texture.is_some())
     }
 
     /// `point/texture/normal`, counted from 1, or from −1 backwards.
@@ -129,10 +155,10 @@ impl Reader<'_> {
             }
             other => other,
         };
-        optional(lists.texcoords, "texture coordinate")?;
+        let texcoord = optional(lists.texcoords.len(), "texture coordinate")?;
         let normal = optional(lists.normals.len(), "normal")?;
         match (position, parts.next()) {
-            (Some(position), None) => Ok((position, normal)),
+            (Some(point), None) => Ok(Corner { point, texcoord, normal }),
             _ => Err(corner_fault(format!("`{}` is no corner of a face", word.excerpt()), word.span.clone())),
         }
     }

@@ -28,7 +28,8 @@ struct Kind {
     colors: bool,
 }
 
-fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
+/// Reads a file into a model.
+pub(crate) fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
     let mut words = Words::new(bytes);
     let kind = read_kind(&mut words)?;
     let mut count = |what| words.whole(what);

@@ -19,13 +19,19 @@ impl PropertyAccess for Ignored {
 pub(super) struct Vertex {
     pub(super) position: [f64; 3],
     pub(super) normal: [f64; 3],
-    /// sRGB, from 0 to 1.
+    pub(super) texcoord: [f64; 2],
+    /// From 0 to 1, usually sRGB.
     color: [f64; 3],
 }
 
 impl Vertex {
     pub(super) fn color(&self) -> Rgb {
         srgb(self.color)
+    }
+
+    /// The colour of a file that stores light.
+    pub(super) fn light(&self) -> Rgb {
+        self.color.into()
     }
 }
 
@@ -35,7 +41,7 @@ impl PropertyAccess for Vertex {
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let Self { position: [x, y, z], normal: [nx, ny, nz], color: [r, g, b] } = self;
+        let Self { position: [x, y, z], normal: [nx, ny, nz], color: [r, g, b], texcoord: [s, t] } = self;
         let (target, is_color) = match name {
             "x" => (x, false),
             "y" => (y, false),
@@ -43,6 +49,8 @@ impl PropertyAccess for Vertex {
             "nx" => (nx, false),
             "ny" => (ny, false),
             "nz" => (nz, false),
+            "s" | "u" | "texture_u" => (s, false),
+            "t" | "v" | "texture_v" => (t, false),
             "red" => (r, true),
             "green" => (g, true),
             "blue" => (b, true),

@@ -1,31 +1,49 @@
 //! PLY (Turk 1994): points with attributes, and faces of any number of points.
 //!
-//! Read by the `ply-rs-bw` crate. Colours are sRGB: codes from 0 to 255, or numbers from 0 to 1. +z is up.
+//! Read by the `ply-rs-bw` crate. Colours are sRGB: codes from 0 to 255, or numbers from 0 to 1. Texture coordinates
+//! count from the picture's lower left corner; `comment TextureFile NAME` names it. +z is up.
+//!
+//! Files that `write` makes hold a mesh of ours bit by bit: their comment says so, and nothing is changed.
 
 mod element;
+mod write;
 
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use brt_geometry::{Vec3, vec3};
+use brt_image::Rgb;
 use brt_scene::framing::Up;
+use brt_scene::{Material, Texture};
 use ply_rs_bw::parser::{ParseError as PlyError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header};
 
-use crate::import::{CREASE_DEG, Crease, Draft, Geometry, Stop, fan_or_cut, fault};
+use crate::import::{Beside, CREASE_DEG, Crease, Draft, Geometry, Pictures, Stop, fan_or_cut, fault};
 use crate::load::Imported;
 use crate::{Limits, ParseError};
 use element::{Face, Ignored, Vertex};
 
+pub(crate) use write::write;
+
+/// The comment of files that hold a mesh of ours: its triangles as they are, colours as light, t downwards.
+const EXACT: &str = "brt: a mesh as it is, colors are linear, t points down";
+
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
+pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusZ);
-    match read_file(bytes, &mut draft) {
+    match read_file(bytes, beside, limits, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
 }
 
-fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
+/// Reads a file into a model.
+pub(crate) fn read_file(
+    bytes: &[u8],
+    beside: &mut Beside,
+    limits: &Limits,
+    draft: &mut Draft,
+) -> Result<(), Stop> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(|error| broken(&error))?;
     check_counts(&header, bytes.len(), draft)?;
@@ -58,9 +76,46 @@ fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
         return Err(fault("points without faces are not shown", None));
     }
     let geometry = geometry_of(&vertices, &faces, &header, draft)?;
-    let material = draft.plain();
-    let crease = geometry.normals.is_empty().then(|| Crease::new(CREASE_DEG));
+    let material = match texture(&header, &geometry, beside, limits, draft) {
+        Some(texture) => {
+            let white = Material::matte("textured", Rgb::WHITE);
+            draft.scene.add_material(Material { texture: Some(texture), ..white })
+        }
+        None => draft.plain(),
+    };
+    let smooth = geometry.normals.is_empty() && !is_exact(&header);
+    let crease = smooth.then(|| Crease::new(CREASE_DEG));
     Ok(draft.add_geometry(geometry, crease.as_ref(), material, None)?)
+}
+
+/// Was it written by us, as it is in our scene?
+fn is_exact(header: &Header) -> bool {
+    header.comments.iter().any(|comment| comment.trim() == EXACT)
+}
+
+/// The picture that the file names, if its points lie in one.
+fn texture(
+    header: &Header,
+    geometry: &Geometry,
+    beside: &mut Beside,
+    limits: &Limits,
+    draft: &mut Draft,
+) -> Option<Texture> {
+    if geometry.texcoords.is_empty() || draft.is_bare() {
+        return None;
+    }
+    let named = header.comments.iter().find_map(|comment| comment.trim().strip_prefix("TextureFile"));
+    let Some(name) = named.map(str::trim).filter(|name| !name.is_empty()) else {
+        draft.notices.say("texture coordinates ignored: the file names no picture");
+        return None;
+    };
+    match Pictures::new(limits).get(name, || beside.read(name).map(Cow::Owned)) {
+        Ok(picture) => Some(Texture::new(picture)),
+        Err(why) => {
+            draft.notices.say(&format!("the picture cannot be read: {why}"));
+            None
+        }
+    }
 }
 
 /// An element takes at least a byte, unless it has no properties, which would be read for ever.
@@ -92,10 +147,21 @@ fn geometry_of(
         geometry.normals = vertices.iter().map(|v| vec3(v.normal[0], v.normal[1], v.normal[2])).collect();
     }
     if has("red") && has("green") && has("blue") {
-        geometry.colors = vertices.iter().map(Vertex::color).collect();
+        let color = if is_exact(header) { Vertex::light } else { Vertex::color };
+        geometry.colors = vertices.iter().map(color).collect();
     }
-    if has("s") || has("u") || has("texture_u") {
-        draft.notices.say("texture coordinates ignored: PLY names no picture that is read");
+    if [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]]
+        .iter()
+        .any(|pair| pair.iter().all(|name| has(name)))
+    {
+        let downwards = |v: f64| if is_exact(header) { v } else { 1.0 - v };
+        geometry.texcoords = vertices.iter().map(|v| [v.texcoord[0], downwards(v.texcoord[1])]).collect();
+        if !is_exact(header) && geometry.drop_wild_texcoords() {
+            draft.notices.say("texture coordinates that are no numbers ignored");
+        }
+    }
+    if header.elements.get("face").is_some_and(|face| face.properties.contains_key("texcoord")) {
+        draft.notices.say("texture coordinates of faces ignored: only those of points are read");
     }
     let mut points = Vec::new();
     for (i, face) in faces.iter().enumerate() {

@@ -27,6 +27,9 @@ impl Writer {
                 format!("material `{}`", m.name),
             );
         }
+        if m.texture.is_some() {
+            self.losses.note_for("pictures on surfaces are left out", format!("material `{}`", m.name));
+        }
         if m.opacity < 1.0 && (m.transmission > 0.0 || m.specular > 0.0 || m.reflection > 0.0) {
             self.losses.note_for(
                 "POV-Ray shows highlights, mirrors and glass in full on what is partly there",

@@ -17,6 +17,7 @@ use crate::Written;
 use crate::losses::Losses;
 use crate::numerals::{joined, number};
 use crate::view::View;
+use crate::write::alone;
 
 /// POV-Ray 3.7 goes no deeper.
 const DEEPEST: u32 = 256;
@@ -37,7 +38,7 @@ pub(crate) fn write(scene: &Scene) -> Written {
     for object in &scene.objects {
         out.object(object, scene);
     }
-    Written { text: out.text, report: out.losses.into_report() }
+    alone(out.text, out.losses.into_report())
 }
 
 /// The text under construction.

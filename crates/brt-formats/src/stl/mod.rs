@@ -17,11 +17,15 @@ pub(crate) use binary::is_binary;
 /// Reads a scene.
 pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
     let mut draft = Draft::new(limits, Up::PlusZ);
-    let read = if is_text(bytes) { ascii::read(bytes, &mut draft) } else { binary::read(bytes, &mut draft) };
-    match read {
+    match read_file(bytes, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
+}
+
+/// Reads a file into a model.
+pub(crate) fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
+    if is_text(bytes) { ascii::read(bytes, draft) } else { binary::read(bytes, draft) }
 }
 
 /// Binary files may begin with `solid`, too: their size tells.

@@ -59,6 +59,7 @@ impl Builder<'_, '_> {
         // What an instance costs is counted even where no triangle uses the points.
         self.draft.expect(count, 0)?;
         let mut groups: Vec<(MaterialId, Vec<[u32; 3]>)> = Vec::new();
+        let mut mixed = Mixed::default();
         let mut index = HashMap::new();
         for (i, triangle) in object.triangles.iter().enumerate() {
             if let Some(v) = triangle.corners.iter().find(|&&v| v as usize >= count) {
@@ -67,7 +68,14 @@ impl Builder<'_, '_> {
                     None,
                 ));
             }
-            let material = self.material(triangle.property)?;
+            let material = match self.colors(triangle.property)? {
+                None => self.draft.plain(),
+                Some([a, b, c]) if a == b && b == c => self.material(a),
+                Some(colors) => {
+                    mixed.add(triangle.corners, colors);
+                    continue;
+                }
+            };
             let group = *index.entry(material).or_insert_with(|| {
                 groups.push((material, Vec::new()));
                 groups.len() - 1
@@ -76,39 +84,85 @@ impl Builder<'_, '_> {
         }
         let positions: Vec<Vec3> = object.positions.iter().map(|&p| transform.point(p)).collect();
         let whole = Geometry { positions, ..Geometry::default() };
-        for (material, mut triangles) in groups {
-            if transform.mirrors() {
-                triangles.iter_mut().for_each(|t| t.swap(1, 2));
-            }
-            let part = whole.part(triangles);
-            self.draft.add_geometry(
-                part,
-                Some(&Crease::new(CREASE_DEG)),
-                material,
-                object.name.as_deref(),
-            )?;
+        let name = object.name.as_deref();
+        for (material, triangles) in groups {
+            self.add_part(whole.part(triangles), material, transform, name)?;
+        }
+        if !mixed.triangles.is_empty() {
+            let white = self.material(Rgb::WHITE);
+            self.add_part(mixed.geometry(&whole), white, transform, name)?;
         }
         Ok(())
     }
 
-    fn material(&mut self, property: Property) -> Result<MaterialId, Stop> {
+    fn add_part(
+        &mut self,
+        mut part: Geometry,
+        material: MaterialId,
+        transform: &Affine,
+        name: Option<&str>,
+    ) -> Result<(), Stop> {
+        if transform.mirrors() {
+            part.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        }
+        Ok(self.draft.add_geometry(part, Some(&Crease::new(CREASE_DEG)), material, name)?)
+    }
+
+    /// The colours of a triangle's corners, if it has any.
+    fn colors(&self, property: Property) -> Result<Option<[Rgb; 3]>, Stop> {
         let Some(colors) = property.group.and_then(|group| self.model.colors.get(&group)) else {
-            return Ok(self.draft.plain());
+            return Ok(None);
         };
-        let mut sum = Rgb::BLACK;
-        for i in property.indices {
+        let mut found = [Rgb::BLACK; 3];
+        for (slot, i) in found.iter_mut().zip(property.indices) {
             let Some(&color) = colors.get(i as usize) else {
                 let group = property.group.unwrap_or_default();
                 return Err(fault(format!("resource {group} has no member {i}"), None));
             };
-            sum = sum + color;
+            *slot = color;
         }
-        let color = sum * (1.0 / 3.0);
-        let key = <[f64; 3]>::from(color).map(f64::to_bits);
+        Ok(Some(found))
+    }
+
+    fn material(&mut self, color: Rgb) -> MaterialId {
         let draft = &mut *self.draft;
-        Ok(*self
+        *self
             .materials
-            .entry(key)
-            .or_insert_with(|| draft.scene.add_material(Material::matte("color", color))))
+            .entry(bits(color))
+            .or_insert_with(|| draft.scene.add_material(Material::matte("color", color)))
+    }
+}
+
+fn bits(color: Rgb) -> [u64; 3] {
+    <[f64; 3]>::from(color).map(f64::to_bits)
+}
+
+/// Triangles whose corners differ in colour: points are split where the colours of a place differ.
+#[derive(Default)]
+struct Mixed {
+    index: HashMap<(u32, [u64; 3]), u32>,
+    sources: Vec<u32>,
+    colors: Vec<Rgb>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Mixed {
+    fn add(&mut self, corners: [u32; 3], colors: [Rgb; 3]) {
+        let Self { index, sources, colors: all, .. } = self;
+        let mut triangle = [0; 3];
+        for ((slot, corner), color) in triangle.iter_mut().zip(corners).zip(colors) {
+            let next = sources.len() as u32;
+            *slot = *index.entry((corner, bits(color))).or_insert_with(|| {
+                sources.push(corner);
+                all.push(color);
+                next
+            });
+        }
+        self.triangles.push(triangle);
+    }
+
+    fn geometry(self, whole: &Geometry) -> Geometry {
+        let positions = self.sources.iter().map(|&i| whole.positions[i as usize]).collect();
+        Geometry { positions, colors: self.colors, triangles: self.triangles, ..Geometry::default() }
     }
 }

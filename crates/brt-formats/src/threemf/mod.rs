@@ -1,7 +1,7 @@
 //! 3D Manufacturing Format: a zip file with an XML model.
 //!
-//! Objects, components, transforms, base materials and colour groups (sRGB) are read; a triangle with three colours
-//! gets their mean. +z is up.
+//! Objects, components, transforms, base materials and colour groups (sRGB) are read; the colours of a triangle's corners
+//! are mixed across it. +z is up.
 
 mod build;
 mod package;

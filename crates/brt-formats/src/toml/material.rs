@@ -4,6 +4,8 @@ use brt_image::Rgb;
 use brt_scene::{Axis, Checker, Highlight, Material};
 
 use super::fields::Fields;
+use super::files::Files;
+use super::texture::read_texture;
 use super::value::{Value, boolean, color, number, one_of};
 use crate::problems::Problems;
 
@@ -21,13 +23,19 @@ const KNOWN: &[&str] = &[
     "emission",
     "opacity",
     "checker",
+    "texture",
 ];
 
 const HIGHLIGHTS: [(&str, Highlight); 2] = [("phong", Highlight::Phong), ("blinn", Highlight::Blinn)];
 const AXES: [(&str, Axis); 3] = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
 
 /// Reads a material; what is left out is that of [`Material::matte`].
-pub(super) fn read_material(name: &str, value: &Value, problems: &mut Problems) -> Option<Material> {
+pub(super) fn read_material(
+    name: &str,
+    value: &Value,
+    files: &mut Files,
+    problems: &mut Problems,
+) -> Option<Material> {
     let matte = Material::matte(name, Rgb::WHITE);
     let mut fields = Fields::of_value(value, "the material", problems)?;
     fields.only(&[KNOWN]);
@@ -47,7 +55,12 @@ pub(super) fn read_material(name: &str, value: &Value, problems: &mut Problems) 
         Some(value) => read_checker(value, fields.problems).map(Some),
         None => Some(None),
     };
+    let texture = match fields.value("texture") {
+        Some(value) => read_texture(value, files, fields.problems).map(Some),
+        None => Some(None),
+    };
     Some(Material {
+        texture: texture?,
         color: body?,
         checker: checker?,
         ambient: ambient?,

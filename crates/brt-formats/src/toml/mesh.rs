@@ -7,13 +7,14 @@ use brt_scene::Mesh;
 use toml::de::{DeTable, DeValue};
 
 use super::fields::{Fields, did_you_mean};
-use super::value::{Value, colors, error, excerpt, mismatch, triangles, vectors};
+use super::files::Files;
+use super::value::{Value, colors, error, excerpt, mismatch, pairs, triangles, vectors};
 use crate::LimitExceeded;
 use crate::limits::Counter;
 use crate::problems::Problems;
 
 /// Fields of a mesh.
-pub(super) const MESH_FIELDS: &[&str] = &["positions", "normals", "colors", "triangles"];
+pub(super) const MESH_FIELDS: &[&str] = &["positions", "normals", "colors", "texcoords", "triangles"];
 
 /// Meshes by name; `None` for those with errors.
 pub(super) type Meshes<'v> = HashMap<&'v str, Option<Arc<Mesh>>>;
@@ -48,31 +49,42 @@ pub(super) fn read_mesh(fields: &mut Fields) -> Option<Mesh> {
     let positions = fields.required("positions", vectors);
     let normals = fields.or("normals", Vec::new(), vectors);
     let colors = fields.or("colors", Vec::new(), colors);
+    let texcoords = fields.or("texcoords", Vec::new(), pairs);
     let triangles = fields.required("triangles", triangles);
     Some(Mesh {
         positions: positions?,
         normals: normals?,
         colors: colors?,
+        texcoords: texcoords?,
         triangles: triangles?,
-        texcoords: Vec::new(),
     })
 }
 
-/// The mesh of an object: its own, or the one that its field `mesh` names.
-pub(super) fn mesh_of(fields: &mut Fields, meshes: &Meshes) -> Option<Arc<Mesh>> {
-    let Some(value) = fields.value("mesh") else { return read_mesh(fields).map(Arc::new) };
-    if let Some(own) = MESH_FIELDS.iter().find_map(|field| fields.value(field)) {
-        let message = "the mesh has a field of its own beside `mesh`";
-        fields.problems.push(error(message, own, "`mesh` or the fields of a mesh, not both"));
-        return None;
-    }
-    match named(value, meshes) {
-        Ok(mesh) => mesh,
-        Err(diagnostic) => {
-            fields.problems.push(diagnostic);
-            None
+/// The meshes of an object: its own, the one that its field `mesh` names, or those of the file that `import` names.
+pub(super) fn meshes_of(fields: &mut Fields, meshes: &Meshes, files: &mut Files) -> Option<Vec<Arc<Mesh>>> {
+    let (mesh, import) = (fields.value("mesh"), fields.value("import"));
+    let own = MESH_FIELDS.iter().find_map(|field| fields.value(field));
+    let read = match (mesh, import, own) {
+        (None, None, _) => return read_mesh(fields).map(|mesh| vec![Arc::new(mesh)]),
+        (Some(_), Some(import), _) => {
+            let message = "the mesh has both `mesh` and `import`";
+            Err(error(message, import, "one of them"))
         }
-    }
+        (Some(_), _, Some(own)) => {
+            let message = "the mesh has a field of its own beside `mesh`";
+            Err(error(message, own, "`mesh` or the fields of a mesh, not both"))
+        }
+        (_, Some(_), Some(own)) => {
+            let message = "the mesh has a field of its own beside `import`";
+            Err(error(message, own, "`import` or the fields of a mesh, not both"))
+        }
+        (Some(value), None, None) => named(value, meshes).map(|mesh| mesh.map(|mesh| vec![mesh])),
+        (None, Some(value), None) => files.meshes(value, fields.problems).map(Some),
+    };
+    read.unwrap_or_else(|diagnostic| {
+        fields.problems.push(diagnostic);
+        None
+    })
 }
 
 fn named(value: &Value, meshes: &Meshes) -> Result<Option<Arc<Mesh>>, brt_scene::Diagnostic> {

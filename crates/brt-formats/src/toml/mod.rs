@@ -4,26 +4,37 @@
 //! the `toml` crate (80 levels).
 
 mod fields;
+mod files;
 mod light;
 mod material;
 mod mesh;
 mod scene;
 mod shape;
+mod texture;
 mod value;
 mod write;
+mod write_files;
 mod write_mesh;
+mod write_texture;
 
 use brt_scene::{Diagnostic, Report, Scene};
 use toml::de::DeTable;
 
+use crate::import::Beside;
 use crate::limits::Counter;
 use crate::problems::Problems;
 use crate::{LimitKind, Limits, ParseError};
 
+use files::Files;
 pub use write::write_toml;
+pub(crate) use write_files::write_beside;
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), ParseError> {
+pub(crate) fn read(
+    bytes: &[u8],
+    beside: &mut Beside,
+    limits: &Limits,
+) -> Result<(Scene, Report), ParseError> {
     let text =
         std::str::from_utf8(bytes).map_err(|error| ParseError::NotUtf8 { position: error.valid_up_to() })?;
     limits.allows(LimitKind::Words, most_words(bytes))?;
@@ -36,7 +47,8 @@ pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), Par
         }
     };
     let mut counter = Counter::new(limits);
-    let read = scene::read_scene(root.get_ref(), &mut counter, &mut problems)?;
+    let mut files = Files::new(beside, limits);
+    let read = scene::read_scene(root.get_ref(), &mut files, &mut counter, &mut problems)?;
     for problem in read.scene.check() {
         let span = read.span(problem.place);
         problems.push(Diagnostic::error(problem.message, span).expecting(problem.expected));

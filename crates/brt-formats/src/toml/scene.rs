@@ -10,10 +10,11 @@ use brt_scene::{Camera, Diagnostic, Material, MaterialId, Object, Place, Project
 use toml::de::{DeTable, DeValue};
 
 use super::fields::{Fields, did_you_mean};
+use super::files::Files;
 use super::light::read_light;
 use super::material::read_material;
 use super::mesh::{Meshes, read_meshes};
-use super::shape::read_shape;
+use super::shape::read_shapes;
 use super::value::{
     Value, color, error, excerpt, matrix, mismatch, number, one_of, size, text, vector, whole,
 };
@@ -51,6 +52,7 @@ impl Read<'_, '_> {
 /// Reads the file's tables. What has errors is left out or replaced, so that the rest can still be checked.
 pub(super) fn read_scene<'v, 'a>(
     root: &'v DeTable<'a>,
+    files: &mut Files,
     counter: &mut Counter,
     problems: &mut Problems,
 ) -> Result<Read<'v, 'a>, LimitExceeded> {
@@ -73,9 +75,20 @@ pub(super) fn read_scene<'v, 'a>(
     }
     let mut read = Read { scene, root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
     read_lights(&mut read, problems);
-    let names = read_materials(&mut read, problems);
+    let names = read_materials(&mut read, files, problems);
     let meshes = read_meshes(read.root, counter, problems)?;
-    read_objects(&mut read, &names, &meshes, counter, problems)?;
+    for value in tables(read.root, "object", problems) {
+        if problems.is_full() {
+            break;
+        }
+        let objects = read_object(value, &names, &meshes, files, problems).unwrap_or_default();
+        counter.points(std::mem::take(&mut files.fresh_points))?;
+        for object in objects {
+            count(&object.shape, counter)?;
+            read.scene.objects.push(object);
+            read.objects.push(value);
+        }
+    }
     Ok(read)
 }
 
@@ -128,7 +141,11 @@ fn read_lights(read: &mut Read, problems: &mut Problems) {
 }
 
 /// Materials in the file's order; one with errors leaves a stand-in, so that objects may name it.
-fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashMap<&'v str, MaterialId> {
+fn read_materials<'v>(
+    read: &mut Read<'v, '_>,
+    files: &mut Files,
+    problems: &mut Problems,
+) -> HashMap<&'v str, MaterialId> {
     let Some(value) = read.root.get("materials") else {
         return HashMap::new();
     };
@@ -142,7 +159,7 @@ fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashM
     let mut names = HashMap::new();
     for (key, value) in entries {
         let name = key.get_ref().as_ref();
-        let material = read_material(name, value, problems);
+        let material = read_material(name, value, files, problems);
         let id = read.scene.add_material(material.unwrap_or_else(|| Material::matte(name, Rgb::WHITE)));
         read.materials.push(value);
         names.insert(name, id);
@@ -150,39 +167,23 @@ fn read_materials<'v>(read: &mut Read<'v, '_>, problems: &mut Problems) -> HashM
     names
 }
 
-fn read_objects(
-    read: &mut Read,
-    names: &HashMap<&str, MaterialId>,
-    meshes: &Meshes,
-    counter: &mut Counter,
-    problems: &mut Problems,
-) -> Result<(), LimitExceeded> {
-    for value in tables(read.root, "object", problems) {
-        if problems.is_full() {
-            break;
-        }
-        if let Some(object) = read_object(value, names, meshes, problems) {
-            count(&object.shape, counter)?;
-            read.scene.objects.push(object);
-            read.objects.push(value);
-        }
-    }
-    Ok(())
-}
-
+/// The objects of a table: one, or several where its mesh comes from a file of several.
 fn read_object(
     value: &Value,
     names: &HashMap<&str, MaterialId>,
     meshes: &Meshes,
+    files: &mut Files,
     problems: &mut Problems,
-) -> Option<Object> {
+) -> Option<Vec<Object>> {
     let mut fields = Fields::of_value(value, "the object", problems)?;
-    let shape = read_shape(&mut fields, meshes);
+    let shapes = read_shapes(&mut fields, meshes, files);
     let material = fields.required("material", |value| material_named(value, names));
     let name = fields.or("name", None, |value| text(value).map(Some));
     let rows = fields.or("transform", None, |value| matrix(value).map(Some));
     let transform = rows?.map_or(Affine::IDENTITY, Affine::from_rows);
-    Some(Object { name: name?, shape: shape?, material: material?, transform })
+    let (shapes, material, name) = (shapes?, material?, name?);
+    let object = |shape| Object { name: name.clone(), shape, material, transform };
+    Some(shapes.into_iter().map(object).collect())
 }
 
 fn material_named(value: &Value, names: &HashMap<&str, MaterialId>) -> Result<MaterialId, Diagnostic> {

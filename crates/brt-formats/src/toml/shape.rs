@@ -3,7 +3,8 @@
 use brt_scene::Shape;
 
 use super::fields::Fields;
-use super::mesh::{MESH_FIELDS, Meshes, mesh_of};
+use super::files::Files;
+use super::mesh::{MESH_FIELDS, Meshes, meshes_of};
 use super::value::{boolean, loops, number, one_of, vector, vectors};
 
 /// Fields that every object has.
@@ -30,22 +31,26 @@ const KINDS: [(&str, Kind); 7] = [
     ("mesh", Kind::Mesh),
 ];
 
-/// Reads the shape that the field `type` names.
-pub(super) fn read_shape(fields: &mut Fields, meshes: &Meshes) -> Option<Shape> {
+/// Reads the shape that the field `type` names; several where a file has several.
+pub(super) fn read_shapes(fields: &mut Fields, meshes: &Meshes, files: &mut Files) -> Option<Vec<Shape>> {
     let kind = fields.required("type", |value| one_of(value, &KINDS))?;
     let (what, known) = describe(kind);
     fields.now_called(what);
     let is_mesh = matches!(kind, Kind::Mesh);
-    fields.only(&[COMMON, known, if is_mesh { &["transform", "mesh"] } else { &[] }]);
-    match kind {
+    fields.only(&[COMMON, known, if is_mesh { &["transform", "mesh", "import"] } else { &[] }]);
+    let shape = match kind {
         Kind::Sphere => sphere(fields),
         Kind::Plane => plane(fields),
         Kind::Polygon => polygon(fields),
         Kind::Disc => disc(fields),
         Kind::Cylinder => cylinder(fields),
         Kind::Cone => cone(fields),
-        Kind::Mesh => mesh_of(fields, meshes).map(Shape::Mesh),
-    }
+        Kind::Mesh => {
+            let found = meshes_of(fields, meshes, files)?;
+            return Some(found.into_iter().map(Shape::Mesh).collect());
+        }
+    };
+    shape.map(|shape| vec![shape])
 }
 
 /// What messages call a kind, and its own fields.

@@ -65,6 +65,12 @@ pub(super) fn colors(value: &Value) -> Result<Vec<Rgb>, Diagnostic> {
     list(value, "a list of colours, [[r, g, b], ...]")?.iter().map(color).collect()
 }
 
+/// Places in a picture.
+pub(super) fn pairs(value: &Value) -> Result<Vec<[f64; 2]>, Diagnostic> {
+    let pair = |v: &Value| numbers(v, "two numbers, [u, v]");
+    list(value, "a list of pairs, [[u, v], ...]")?.iter().map(pair).collect()
+}
+
 /// Three rows of four numbers.
 pub(super) fn matrix(value: &Value) -> Result<[[f64; 4]; 3], Diagnostic> {
     three(value, |row| numbers(row, "a row of four numbers"), "three rows of four numbers")

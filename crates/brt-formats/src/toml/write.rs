@@ -7,42 +7,52 @@ use brt_geometry::Vec3;
 use brt_image::Rgb;
 use brt_scene::{Axis, Camera, Highlight, Light, Material, Object, Projection, Scene, Shape};
 
+use super::write_files::Outside;
 use super::write_mesh::SharedMeshes;
+use super::write_texture::InlinePictures;
 use crate::numerals::{joined, number};
 
 /// The scene as text in our own format.
 ///
 /// For every scene whose check finds nothing, reading the text gives an equal scene; only materials that share
-/// their name with an earlier one are renamed.
+/// their name with an earlier one are renamed. Pictures stand in the text, too.
 pub fn write_toml(scene: &Scene) -> String {
-    let mut out = Writer { text: String::new() };
-    if let Some([width, height]) = scene.size {
-        out.field("size", &format!("[{width}, {height}]"));
-    }
-    out.field("max_depth", &scene.max_depth.to_string());
-    out.field("background", &color(scene.background));
-    out.camera(&scene.camera);
-    for light in &scene.lights {
-        out.light(light);
-    }
-    let names = unique_names(&scene.materials);
-    for (material, name) in scene.materials.iter().zip(&names) {
-        out.material(material, name);
-    }
-    let meshes = SharedMeshes::write(scene, &mut out);
-    for object in &scene.objects {
-        let material = names.get(object.material.0 as usize).map_or("", String::as_str);
-        out.object(object, material, &meshes);
-    }
+    let mut out = Writer::default();
+    out.scene(scene);
     out.text
 }
 
 /// The text under construction.
-pub(super) struct Writer {
+#[derive(Default)]
+pub(super) struct Writer<'w> {
     pub(super) text: String,
+    /// Where large things go, if not into the text.
+    pub(super) outside: Option<Outside<'w>>,
+    pub(super) pictures: InlinePictures,
 }
 
-impl Writer {
+impl Writer<'_> {
+    pub(super) fn scene(&mut self, scene: &Scene) {
+        if let Some([width, height]) = scene.size {
+            self.field("size", &format!("[{width}, {height}]"));
+        }
+        self.field("max_depth", &scene.max_depth.to_string());
+        self.field("background", &color(scene.background));
+        self.camera(&scene.camera);
+        for light in &scene.lights {
+            self.light(light);
+        }
+        let names = unique_names(&scene.materials);
+        for (material, name) in scene.materials.iter().zip(&names) {
+            self.material(material, name);
+        }
+        let meshes = SharedMeshes::write(scene, self);
+        for object in &scene.objects {
+            let material = names.get(object.material.0 as usize).map_or("", String::as_str);
+            self.object(object, material, &meshes);
+        }
+    }
+
     pub(super) fn header(&mut self, header: &str) {
         self.text.push('\n');
         self.text.push_str(header);
@@ -125,6 +135,9 @@ impl Writer {
         }
         if material.opacity != 1.0 {
             self.field("opacity", &number(material.opacity));
+        }
+        if let Some(texture) = &material.texture {
+            self.texture(texture);
         }
     }
 
@@ -254,7 +267,7 @@ fn key(name: &str) -> String {
 }
 
 /// A basic string of TOML.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {

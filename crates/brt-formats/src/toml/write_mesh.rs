@@ -6,7 +6,8 @@ use std::sync::Arc;
 use brt_geometry::Affine;
 use brt_scene::{Mesh, Object, Scene, Shape};
 
-use super::write::{Writer, color, push, push_vector};
+use super::write::{Writer, color, push, push_vector, quoted};
+use super::write_files::is_large;
 use crate::numerals::number;
 
 /// Names of the meshes that more than one object has, by their place in memory.
@@ -26,7 +27,8 @@ impl SharedMeshes {
         let mut names = HashMap::new();
         for mesh in meshes() {
             let at = Arc::as_ptr(mesh);
-            if uses[&at] > 1 && !names.contains_key(&at) {
+            let is_outside = out.outside.is_some() && is_large(mesh);
+            if uses[&at] > 1 && !is_outside && !names.contains_key(&at) {
                 let name = format!("m{}", names.len() + 1);
                 out.header(&format!("[meshes.{name}]"));
                 out.mesh(mesh);
@@ -44,14 +46,16 @@ impl SharedMeshes {
             };
             out.field("transform", &format!("[{}]", object.transform.rows().map(row).join(", ")));
         }
-        match self.0.get(&Arc::as_ptr(mesh)) {
-            Some(name) => out.field("mesh", &format!("\"{name}\"")),
-            None => out.mesh(mesh),
+        let file = out.outside.as_mut().and_then(|outside| outside.mesh(mesh, object.name.as_deref()));
+        match (file, self.0.get(&Arc::as_ptr(mesh))) {
+            (Some(file), _) => out.field("import", &quoted(&file)),
+            (None, Some(name)) => out.field("mesh", &format!("\"{name}\"")),
+            (None, None) => out.mesh(mesh),
         }
     }
 }
 
-impl Writer {
+impl Writer<'_> {
     fn mesh(&mut self, mesh: &Mesh) {
         self.named_list("positions", &mesh.positions, |out, p| push_vector(out, *p));
         if !mesh.normals.is_empty() {
@@ -59,6 +63,12 @@ impl Writer {
         }
         if !mesh.colors.is_empty() {
             self.named_list("colors", &mesh.colors, |out, c| out.push_str(&color(*c)));
+        }
+        if !mesh.texcoords.is_empty() {
+            let pair = |out: &mut String, [u, v]: &[f64; 2]| {
+                push(out, format_args!("[{}, {}]", number(*u), number(*v)));
+            };
+            self.named_list("texcoords", &mesh.texcoords, pair);
         }
         let triple = |out: &mut String, [a, b, c]: &[u32; 3]| push(out, format_args!("[{a}, {b}, {c}]"));
         self.named_list("triangles", &mesh.triangles, triple);

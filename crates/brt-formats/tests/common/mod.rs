@@ -46,6 +46,19 @@ fn listed(report: &Report, text: &str, severity: Severity) -> Vec<String> {
         .collect()
 }
 
+/// A picture as PNG.
+pub(crate) fn png(width: u32, height: u32, rgba: &[[u8; 4]]) -> Vec<u8> {
+    use image::ImageEncoder as _;
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+    encoder.write_image(rgba.as_flattened(), width, height, image::ExtendedColorType::Rgba8).unwrap();
+    bytes
+}
+
+/// Red and green above blue and white, the last half transparent.
+pub(crate) const FOUR: [[u8; 4]; 4] =
+    [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255, 255, 255, 128]];
+
 /// A small scene with one of everything.
 pub(crate) const EVERYTHING: &str = r#"# everything
 size = [64, 48]

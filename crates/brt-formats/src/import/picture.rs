@@ -1,0 +1,191 @@
+//! Pictures on surfaces: PNG and JPEG as texels.
+//!
+//! Decoded by the `image` crate. What a picture claims to be is held against the limits before memory is spent on it.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::io::Cursor;
+use std::sync::Arc;
+
+use brt_scene::Texels;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
+
+use crate::Limits;
+
+/// A picture, or why there is none, fit to follow its name.
+pub(crate) type Picture = Result<Arc<Texels>, String>;
+
+/// The pictures of a scene: one that is named again is not decoded again.
+pub(crate) struct Pictures {
+    known: HashMap<String, Picture>,
+    /// What all pictures together may have.
+    limit: u64,
+    pixels_left: u64,
+}
+
+impl Pictures {
+    pub(crate) fn new(limits: &Limits) -> Self {
+        Self { known: HashMap::new(), limit: limits.texture_pixels, pixels_left: limits.texture_pixels }
+    }
+
+    /// The picture of a name, whose bytes are read where it is not known yet.
+    pub(crate) fn get<'b>(
+        &mut self,
+        name: &str,
+        read: impl FnOnce() -> Result<Cow<'b, [u8]>, String>,
+    ) -> Picture {
+        if let Some(picture) = self.known.get(name) {
+            return picture.clone();
+        }
+        let picture = read().and_then(|bytes| self.decode(name, &bytes)).map(Arc::new);
+        self.known.insert(name.to_owned(), picture.clone());
+        picture
+    }
+
+    /// Another picture of this name comes.
+    pub(crate) fn forget(&mut self, name: &str) {
+        self.known.remove(name);
+    }
+
+    fn decode(&mut self, name: &str, bytes: &[u8]) -> Result<Texels, String> {
+        let format = format_of(bytes)?;
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        reader.limits(self.memory());
+        let decoder = reader.into_decoder().map_err(|error| short(&error))?;
+        let (width, height) = decoder.dimensions();
+        let pixels = u64::from(width) * u64::from(height);
+        if pixels == 0 {
+            return Err("it has no pixels".to_owned());
+        }
+        let Some(left) = self.pixels_left.checked_sub(pixels) else {
+            let limit = self.limit;
+            return Err(format!(
+                "with {width} × {height} pixels there are more than {limit} in all pictures"
+            ));
+        };
+        let picture = DynamicImage::from_decoder(decoder).map_err(|error| short(&error))?.into_rgba8();
+        self.pixels_left = left;
+        let (width, height) = picture.dimensions();
+        let rgba = picture.into_raw().as_chunks::<4>().0.to_vec();
+        Ok(Texels { name: name.to_owned(), width, height, rgba })
+    }
+
+    /// Room for the widest kind of pixel and a copy of all, and for what surrounds them.
+    fn memory(&self) -> image::Limits {
+        const BYTES_A_PIXEL: u64 = 16;
+        const SURROUNDINGS: u64 = 64 << 20;
+        let mut limits = image::Limits::default();
+        limits.max_alloc = Some(self.pixels_left.saturating_mul(BYTES_A_PIXEL).saturating_add(SURROUNDINGS));
+        limits
+    }
+}
+
+/// By content alone: names lie.
+fn format_of(bytes: &[u8]) -> Result<ImageFormat, String> {
+    /// A scan may be a few bytes and costs as much time as all the picture. Progressive files have about ten.
+    const MOST_SCANS: usize = 200;
+    if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+        return Ok(ImageFormat::Png);
+    }
+    if !bytes.starts_with(b"\xff\xd8\xff") {
+        return Err("it is neither PNG nor JPEG".to_owned());
+    }
+    let scans = bytes.windows(2).filter(|pair| pair == b"\xff\xda").count();
+    if scans > MOST_SCANS {
+        return Err(format!("it has {scans} scans"));
+    }
+    Ok(ImageFormat::Jpeg)
+}
+
+/// The first line of a decoder's message.
+fn short(error: &image::ImageError) -> String {
+    error.to_string().lines().next().unwrap_or_default().chars().take(200).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use image::{ColorType, ImageEncoder as _, codecs::png::PngEncoder};
+
+    use super::*;
+
+    fn decoded(bytes: &[u8]) -> Result<Texels, String> {
+        Pictures::new(&Limits::default()).decode("x", bytes)
+    }
+
+    fn png(pixels: &[u8], width: u32, height: u32, kind: ColorType) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        PngEncoder::new(&mut bytes).write_image(pixels, width, height, kind.into()).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn all_kinds_of_png_become_the_same() {
+        let grey = [[80, 80, 80, 255], [200, 200, 200, 255]];
+        let [a, b] = [80_u16 * 257, 200 * 257].map(u16::to_ne_bytes);
+        for (pixels, kind) in [
+            (vec![80, 200], ColorType::L8),
+            (vec![80, 255, 200, 255], ColorType::La8),
+            (vec![80, 80, 80, 200, 200, 200], ColorType::Rgb8),
+            ([a, b].concat(), ColorType::L16),
+            ([a, a, a, b, b, b].concat(), ColorType::Rgb16),
+        ] {
+            let texels = decoded(&png(&pixels, 2, 1, kind)).unwrap();
+            assert_eq!((texels.width, texels.height), (2, 1));
+            assert_eq!(texels.rgba, grey, "{kind:?}");
+        }
+        let alpha = decoded(&png(&[1, 2, 3, 4], 1, 1, ColorType::Rgba8)).unwrap();
+        assert_eq!(alpha.rgba, [[1, 2, 3, 4]]);
+    }
+
+    /// A PNG by hand: chunks are not checked by the decoder beyond their sums, which are computed here.
+    fn raw_png(width: u32, height: u32, depth: u8, kind: u8, interlace: u8) -> Vec<u8> {
+        let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
+        let mut head = b"IHDR".to_vec();
+        head.extend(width.to_be_bytes());
+        head.extend(height.to_be_bytes());
+        head.extend([depth, kind, 0, 0, interlace]);
+        bytes.extend(13_u32.to_be_bytes());
+        let sum = crc(&head);
+        bytes.extend(head);
+        bytes.extend(sum.to_be_bytes());
+        bytes
+    }
+
+    fn crc(bytes: &[u8]) -> u32 {
+        !bytes.iter().fold(u32::MAX, |sum, &byte| {
+            (0..8)
+                .fold(sum ^ u32::from(byte), |c, _| if c & 1 == 1 { 0xEDB8_8320 ^ (c >> 1) } else { c >> 1 })
+        })
+    }
+
+    #[test]
+    fn bombs_are_refused_by_their_heads() {
+        let error =
+            decoded(&[raw_png(60_000, 60_000, 8, 6, 0), b"\0\0\0\0IDAT".to_vec()].concat()).unwrap_err();
+        assert!(error.contains("60000 × 60000"), "{error}");
+        let jpeg = [b"\xff\xd8\xff".to_vec(), b"\xff\xda".repeat(300)].concat();
+        assert_eq!(decoded(&jpeg).unwrap_err(), "it has 300 scans");
+    }
+
+    #[test]
+    fn broken_pictures_are_refused() {
+        let whole = png(&[7; 300], 10, 10, ColorType::Rgb8);
+        for end in [0, 4, 8, 20, whole.len() / 2] {
+            assert!(decoded(&whole[..end]).is_err(), "{end}");
+        }
+        assert_eq!(decoded(b"GIF89a").unwrap_err(), "it is neither PNG nor JPEG");
+        assert!(decoded(&raw_png(0, 0, 8, 6, 0)).is_err());
+    }
+
+    #[test]
+    fn pictures_are_decoded_once_and_counted_together() {
+        let limits = Limits { texture_pixels: 150, ..Limits::default() };
+        let mut pictures = Pictures::new(&limits);
+        let bytes = png(&[7; 300], 10, 10, ColorType::Rgb8);
+        let first = pictures.get("a", || Ok(bytes.as_slice().into())).unwrap();
+        let again = pictures.get("a", || Err("not read again".to_owned())).unwrap();
+        assert!(Arc::ptr_eq(&first, &again));
+        let error = pictures.get("b", || Ok(bytes.as_slice().into())).unwrap_err();
+        assert!(error.contains("more than 150"), "{error}");
+    }
+}
