@@ -4,7 +4,7 @@
 //! it crosses takes its share, near ones first, so that the product does not depend on how they are found. A ball is
 //! crossed twice.
 
-use brt_geometry::Ray;
+use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::guide::Unguided;
@@ -45,10 +45,14 @@ impl Tracer<'_> {
         color
     }
 
-    /// The share of a light that reaches a surface which faces it; of one that is hidden, by what.
-    pub(super) fn share_of_light(&mut self, light: &PreparedLight, here: &Interaction) -> Result<f64, u32> {
+    /// The share of a light that reaches a point of a primitive which faces it; of one that is hidden, by what.
+    pub(super) fn share_of_light(
+        &mut self,
+        light: &PreparedLight,
+        mut point: Vec3,
+        mut from: u32,
+    ) -> Result<f64, u32> {
         let mut share = 1.0;
-        let (mut point, mut from) = (here.point, here.primitive);
         for _ in 0..MOST_CROSSED {
             let (towards, t_max) = light.way_from(point);
             let ray = Ray::new(point, towards);

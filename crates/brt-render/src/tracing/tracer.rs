@@ -237,7 +237,7 @@ impl<'a> Tracer<'a> {
         let hidden_by = if is_behind {
             Some(here.info.surface)
         } else if self.scene.has_dimmers && (lighting == Lighting::Unknown || self.asks_which()) {
-            self.share_of_light(light, here).map(|part| share = part).err()
+            self.share_of_light(light, here.point, here.primitive).map(|part| share = part).err()
         } else {
             self.hiding_surface(&here.point, &towards, here.primitive, t_max, lighting)
         };

@@ -29,7 +29,7 @@ pub(super) fn group_of(scene: &PreparedScene, hits: &Hits, rest: u64, packets: u
         return (same, Group::Nothing);
     }
     let info = &scene.infos[primitive as usize];
-    if scene.has_dimmers || !scene.materials[info.material as usize].ends_view() {
+    if !scene.materials[info.material as usize].ends_view() {
         return (same, Group::Unknown);
     }
     let is_full = same == rest || same.count_ones() >= FULL;

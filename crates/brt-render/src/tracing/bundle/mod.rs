@@ -8,6 +8,7 @@
 
 mod group;
 mod hits;
+mod lights;
 mod lookup;
 mod shade;
 mod starts;
