@@ -7,6 +7,7 @@ mod certify;
 mod mutate;
 mod povray;
 mod scenes;
+mod triangles;
 
 use std::path::PathBuf;
 
@@ -55,6 +56,19 @@ enum Task {
         /// The folder with these pictures.
         pictures: PathBuf,
     },
+    /// Writes the triangles, rays and lights of a scene for `bench/embree`.
+    Triangles {
+        /// How large the scene is built.
+        #[arg(long)]
+        triangles: Option<u32>,
+        /// Width and height.
+        #[arg(long, default_value_t = 1024)]
+        size: u32,
+        /// A scene of meshes and horizontal planes.
+        scene: String,
+        /// The file to write.
+        output: PathBuf,
+    },
     /// Renders broken variants of scene files; none may crash, hang, or end with another code than 0 or 1.
     Mutate {
         /// Number of variants.
@@ -76,6 +90,9 @@ fn main() -> anyhow::Result<()> {
         Task::Certify { most_side, scenes } => certify::matrix(&scenes, most_side),
         Task::CertifyViews { pixels, seed, scenes } => certify::views(&scenes, pixels, seed),
         Task::Povray { pictures } => povray::run(&pictures),
+        Task::Triangles { triangles, size, scene, output } => {
+            triangles::run(&scene, triangles, size, &output)
+        }
         Task::Mutate { count, brt, files } => mutate::run(count, &brt, &files),
     }
 }

@@ -10,10 +10,15 @@ use brt_scene::{Scene, procedural};
 /// The seed scenes.
 pub(crate) const SEED: [&str; 3] = ["scenes/seed/a.toml", "scenes/seed/b.toml", "scenes/seed/c.toml"];
 
-/// A scene file, or a procedural scene of that name.
+/// A scene file, or a procedural scene of that name at its usual size.
 pub(crate) fn open(name: &str) -> Result<Scene> {
+    open_sized(name, None)
+}
+
+/// The same at a size, which only procedural scenes can choose.
+pub(crate) fn open_sized(name: &str, size: Option<u32>) -> Result<Scene> {
     match procedural::find(name) {
-        Some(scene) => scene.build(None).with_context(|| format!("cannot build {name}")),
+        Some(scene) => scene.build(size).with_context(|| format!("cannot build {name}")),
         None => Ok(load(Path::new(name), &Limits::default())
             .with_context(|| format!("cannot read {name}"))?
             .scene),

@@ -112,8 +112,8 @@ pub(crate) fn not_negative(text: &str) -> Result<f64, String> {
 
 /// Samples per pixel.
 pub(crate) fn samples() -> impl TypedValueParser<Value = Samples> {
-    let counts =
-        Samples::ALL.map(|s| PossibleValue::new(["1", "4", "16", "64"][s.per_side().ilog2() as usize]));
+    let counts = Samples::ALL
+        .map(|s| PossibleValue::new(["1", "4", "16", "64", "256"][s.per_side().ilog2() as usize]));
     PossibleValuesParser::new(counts).map(|text| {
         let named = |s: &Samples| s.per_pixel().to_string() == text;
         Samples::ALL.into_iter().find(named).unwrap_or_default()

@@ -162,11 +162,14 @@ pub enum Samples {
     Sixteen,
     /// 8 × 8.
     SixtyFour,
+    /// 16 × 16: what the others are measured against.
+    TwoHundredFiftySix,
 }
 
 impl Samples {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::One, Self::Four, Self::Sixteen, Self::SixtyFour];
+    pub const ALL: [Self; 5] =
+        [Self::One, Self::Four, Self::Sixteen, Self::SixtyFour, Self::TwoHundredFiftySix];
 
     /// Samples along each side of a pixel.
     pub fn per_side(self) -> u32 {
@@ -175,6 +178,7 @@ impl Samples {
             Self::Four => 2,
             Self::Sixteen => 4,
             Self::SixtyFour => 8,
+            Self::TwoHundredFiftySix => 16,
         }
     }
 

@@ -115,6 +115,8 @@ fn layers_show_the_sample_next_to_the_middle_of_a_pixel() {
 #[test]
 fn white_background_is_white() {
     let scene = empty_scene(rgb(1.0, 1.0, 1.0));
-    let settings = Settings { samples: Samples::SixtyFour, ..Settings::new([9, 9]) };
-    assert!(render_to_image(&scene, &settings, &Run::default()).0.iter().all(|c| *c == [1.0; 3]));
+    for samples in Samples::ALL {
+        let settings = Settings { samples, ..Settings::new([9, 9]) };
+        assert!(render_to_image(&scene, &settings, &Run::default()).0.iter().all(|c| *c == [1.0; 3]));
+    }
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use brt::{Scene, library};
-use brt_lab::peers::{self, PeersError, Watch};
+use brt_lab::peers::{self, PeersError, Recording, Watch};
 use clap::Args;
 
 use crate::exit::{Failure, Outcome, wrong_use};
@@ -34,6 +34,15 @@ pub(crate) struct Options {
     /// Stop a single run after this time
     #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     timeout: u64,
+    /// Only one sample per pixel, no anti-aliasing
+    #[arg(long)]
+    plain: bool,
+    /// Add the medians to this history, made if need be; the page has charts of it
+    #[arg(long, value_name = "CSV")]
+    record: Option<PathBuf>,
+    /// What the history calls this program: a version, a commit
+    #[arg(long, value_name = "TEXT", default_value = env!("CARGO_PKG_VERSION"), requires = "record", value_parser = label)]
+    label: String,
     /// Options that bound scenes
     #[command(flatten)]
     reading: InputOptions,
@@ -46,6 +55,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
         sizes: options.sizes.clone(),
         repeat: options.repeat,
         timeout: Duration::from_secs(options.timeout),
+        plain: options.plain,
+        record: options.record.clone().map(|file| Recording { file, label: options.label.clone() }),
         ours: std::env::current_exe()?,
     };
     let seen = output::errors_are_seen();
@@ -84,6 +95,14 @@ fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
         scenes.push((name, scene));
     }
     Ok(scenes)
+}
+
+/// Text on one line.
+fn label(text: &str) -> Result<String, String> {
+    if text.is_empty() || text.contains(char::is_control) {
+        return Err("expected a few letters on one line".to_owned());
+    }
+    Ok(text.to_owned())
 }
 
 fn failure(error: PeersError) -> Failure {

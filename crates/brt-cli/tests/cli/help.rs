@@ -64,7 +64,10 @@ fn of_the_others() {
     mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);
     mentions("inspect", &["<SCENE>", "--json", "--max-objects", "--max-bytes"]);
     mentions("convert", &["<IN>", "<OUT>", ".pov", ".dat", "-s, --size"]);
-    mentions("peers", &["[SCENES]", "-o, --output", "--sizes", "--repeat", "--timeout"]);
+    mentions(
+        "peers",
+        &["[SCENES]", "-o, --output", "--sizes", "--repeat", "--timeout", "--plain", "--record", "--label"],
+    );
     mentions("paper", &["-o, --output", "--sizes", "--repeat", "--scene", "--quick", "--max-objects"]);
     mentions("scene", &["[NAME]", "--size", "-o, --output"]);
     mentions("formats", &["Usage"]);

@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use crate::bench::{Bench, Ended};
 
 const COLUMNS: &str = "scene,width,height,entrant,class,runs,start_up_ms,ns_per_pixel,ns_per_pixel_min,\
-                       ns_per_pixel_max,ratio_to_full,ratio_to_certified,mean_error,percent_over_2";
+                       ns_per_pixel_max,ratio_to_full,ratio_to_certified,mean_error,percent_over_2,\
+                       rms_error,mean_error_srgb,rms_error_srgb";
 
 /// Runs with this folder as the only one where programs are looked for.
 fn run_with_path(bench: &Bench, path: &str, arguments: &str) -> Ended {
@@ -101,12 +102,38 @@ fn a_peer_that_does_not_even_tell_its_version_is_left_out() {
 }
 
 #[test]
+fn runs_are_recorded_and_drawn() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("nothing")).unwrap();
+    let record = |label: &str| {
+        let arguments = "peers ball.toml -o out --sizes 32 --repeat 1 --plain --record history.csv --label";
+        run_with_path(&bench, "nothing", &format!("{arguments} {label}"))
+    };
+    assert_eq!(record("one").code, Some(0));
+    let first = bench.read("history.csv");
+    let ended = record("two");
+    assert_eq!(ended.code, Some(0), "{}", ended.errors);
+    let text = String::from_utf8(bench.read("history.csv")).unwrap();
+    assert!(text.as_bytes().starts_with(&first));
+    assert_eq!(text.lines().count(), 1 + 2 * 3, "{text}");
+    assert!(text.lines().nth(4).unwrap().contains(",two,"), "{text}");
+    assert!(String::from_utf8(bench.read("out/peers.html")).unwrap().contains("<h2>History</h2>"));
+
+    bench.write("history.csv", "my notes\n");
+    let ended = record("three");
+    assert_eq!(ended.code, Some(1));
+    assert!(ended.errors.contains("history.csv, line 1: not a history"), "{}", ended.errors);
+    assert_eq!(bench.read("history.csv"), b"my notes\n");
+}
+
+#[test]
 fn wrong_use_is_refused() {
     let bench = Bench::new();
     assert_eq!(bench.run("peers no-such-scene").code, Some(1));
     assert_eq!(bench.run("peers ball.toml ./ball.toml").code, Some(2));
     assert_eq!(bench.run("peers --sizes 0").code, Some(2));
     assert_eq!(bench.run("peers --repeat 0").code, Some(2));
+    assert_eq!(bench.run("peers --label 0.1").code, Some(2));
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn values_out_of_range() {
         ("render ball.toml -s 0x64", "WIDTHxHEIGHT"),
         ("render ball.toml -j 0", "1..=1024"),
         ("render ball.toml -j 100000", "1..=1024"),
-        ("render ball.toml --samples 2", "possible values: 1, 4, 16, 64"),
+        ("render ball.toml --samples 2", "possible values: 1, 4, 16, 64, 256"),
         ("render ball.toml --bits 9", "possible values: 8, 16"),
         ("render ball.toml --delta -1", "error"),
         ("render ball.toml --delta nan", "at least 0"),

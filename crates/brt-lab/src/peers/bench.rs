@@ -1,18 +1,16 @@
 //! Runs everybody in turns.
 
-use std::fs;
 use std::path::Path;
 
 use brt::formats::write as write_scene;
-use brt::image::{Picture, PictureLimits, compare, read_picture};
 use brt::scene::Highlight;
 use brt::{Format, Scene};
 
 use super::entrant::{Class, ENTRANTS, Entrant, Program, Task};
-use super::findings::{Findings, Row, Strip, median};
+use super::findings::{Findings, Row, median};
 use super::process::{Patience, RunError, run};
 use super::program::Peer;
-use super::{Options, PeersError, Watch, picture, write};
+use super::{Options, PeersError, Watch, machine, write};
 
 /// Side of the picture that shows what a program needs before it renders.
 const START_UP_SIDE: u32 = 16;
@@ -24,10 +22,10 @@ const LONG_SECONDS: f64 = 5.0;
 /// Everything there is to do it with, and what it has given so far.
 pub(super) struct Bench<'a> {
     options: &'a Options,
-    folder: &'a Path,
-    watch: Watch<'a>,
+    pub(super) folder: &'a Path,
+    pub(super) watch: Watch<'a>,
     entrants: Vec<Entrant>,
-    findings: Findings,
+    pub(super) findings: Findings,
 }
 
 impl<'a> Bench<'a> {
@@ -39,6 +37,7 @@ impl<'a> Bench<'a> {
         notes: Vec<String>,
     ) -> Self {
         let takes_part = |entrant: &Entrant| match entrant.program {
+            _ if options.plain && entrant.class != Class::Plain => false,
             Program::Ours(_) => true,
             Program::Other(peer) => present.contains(&peer),
         };
@@ -49,6 +48,8 @@ impl<'a> Bench<'a> {
             rows: Vec::new(),
             pictures: Vec::new(),
             repeat: options.repeat,
+            history: Vec::new(),
+            processor: machine::processor(),
         };
         Self { options, folder, watch, entrants, findings }
     }
@@ -153,7 +154,7 @@ impl<'a> Bench<'a> {
                 entrant,
                 start_up: start_up(entrant),
                 ns_per_pixel: Vec::new(),
-                error: None,
+                deviation: None,
             })
             .collect();
         for round in 0..self.options.repeat {
@@ -180,66 +181,12 @@ impl<'a> Bench<'a> {
         Ok(rows)
     }
 
-    /// Errors of all rows against `full` of their class, and pictures for the page.
-    fn pictures(
-        &mut self,
-        name: &str,
-        task: &Task,
-        rows: &mut [Row],
-        still_in: &mut Vec<Entrant>,
-    ) -> Result<(), PeersError> {
-        let mut strip = Strip { scene: name.to_owned(), pictures: Vec::new() };
-        for class in Class::ALL {
-            let mut full: Option<Picture> = None;
-            for row in rows.iter_mut().filter(|row| row.entrant.class == class) {
-                (self.watch.doing)(&format!("{name}: picture by {}", row.entrant.name));
-                let Some(drawn) = self.picture(name, row.entrant, task, still_in)? else { continue };
-                if let Some(full) = &full {
-                    row.error = Some(compare(full, &drawn)?);
-                }
-                if class == Class::Plain && !["brt border", "brt certified"].contains(&row.entrant.name) {
-                    strip
-                        .pictures
-                        .push((row.entrant.name.to_owned(), picture::image(&drawn, row.entrant.name)?));
-                    if let Some(full) = &full {
-                        let text = format!("{}: difference from brt full", row.entrant.name);
-                        strip.pictures.push((text.clone(), picture::difference(full, &drawn, &text)?));
-                    }
-                }
-                full.get_or_insert(drawn);
-            }
-        }
-        self.findings.pictures.push(strip);
-        Ok(())
-    }
-
-    fn picture(
-        &mut self,
-        name: &str,
-        entrant: Entrant,
-        task: &Task,
-        still_in: &mut Vec<Entrant>,
-    ) -> Result<Option<Picture>, PeersError> {
-        let file = format!("{}-picture.ppm", task.stem);
-        let path = self.folder.join(&file);
-        if self.run(name, entrant, task, Some(&file), still_in)?.is_none() {
-            return Ok(None);
-        }
-        let drawn = read_picture(&path, PictureLimits::default());
-        // The page has a small copy; whoever wants it large has the scene.
-        let _ = fs::remove_file(&path);
-        match (drawn, entrant.program) {
-            (Ok(picture), _) => Ok(Some(picture)),
-            (Err(error), Program::Ours(_)) => Err(error.into()),
-            (Err(error), Program::Other(_)) => {
-                self.findings.notes.push(format!("{name}: no picture by {}: {error}", entrant.name));
-                Ok(None)
-            }
-        }
+    pub(super) fn patience(&self) -> Patience<'a> {
+        Patience { timeout: self.options.timeout, cancel: self.watch.cancel }
     }
 
     /// User CPU seconds; `None` and a note if a peer fails, which is out for this scene then.
-    fn run(
+    pub(super) fn run(
         &mut self,
         name: &str,
         entrant: Entrant,
@@ -247,8 +194,7 @@ impl<'a> Bench<'a> {
         picture: Option<&str>,
         still_in: &mut Vec<Entrant>,
     ) -> Result<Option<f64>, PeersError> {
-        let patience = Patience { timeout: self.options.timeout, cancel: self.watch.cancel };
-        match run(&mut entrant.command(task, picture), patience) {
+        match run(&mut entrant.command(task, picture), self.patience()) {
             Ok(ended) => Ok(Some(ended.user_seconds)),
             Err(RunError::Cancelled) => Err(PeersError::Cancelled),
             Err(problem) if matches!(entrant.program, Program::Ours(_)) => {

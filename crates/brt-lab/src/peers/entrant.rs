@@ -24,10 +24,11 @@ impl Class {
         }
     }
 
-    fn samples(self) -> &'static str {
+    /// Ours, per pixel.
+    pub(super) fn samples(self) -> u32 {
         match self {
-            Self::Plain => "1",
-            Self::AntiAliased => "16",
+            Self::Plain => 1,
+            Self::AntiAliased => 16,
         }
     }
 }
@@ -85,7 +86,11 @@ impl Entrant {
     /// The command that renders with one thread, to a file of 16-bit linear values or to nowhere.
     pub(super) fn command(&self, task: &Task, picture: Option<&str>) -> Command {
         let mut command = match self.program {
-            Program::Ours(method) => ours(method, self.class, task, picture),
+            Program::Ours(method) => {
+                let mut command = ours(method, self.class.samples(), task, picture);
+                command.args(["-j", "1"]);
+                command
+            }
             Program::Other(Peer::PovRay) => povray(self.class, task, picture),
             Program::Other(Peer::Tachyon) => tachyon(self.class, task, picture),
         };
@@ -94,10 +99,18 @@ impl Entrant {
     }
 }
 
-fn ours(method: &str, class: Class, task: &Task, picture: Option<&str>) -> Command {
+/// The command for the picture that anti-aliased ones are measured against: every sample traced, so many that more would
+/// change little. Nobody's time is taken, so all processors work.
+pub(super) fn reference_command(task: &Task, picture: &str) -> Command {
+    let mut command = ours("full", 256, task, Some(picture));
+    command.current_dir(task.folder);
+    command
+}
+
+fn ours(method: &str, samples: u32, task: &Task, picture: Option<&str>) -> Command {
     let [width, height] = task.size;
     let mut command = Command::new(task.ours);
-    command.args(["render", task.toml, "-q", "-j", "1", "--method", method, "--samples", class.samples()]);
+    command.args(["render", task.toml, "-q", "--method", method, "--samples", &samples.to_string()]);
     command.args(["-s", &format!("{width}x{height}")]);
     // The tolerance of `certified` is in units of what is stored.
     command.arg("--linear");

@@ -2,7 +2,9 @@
 
 use brt::Comparison;
 
+use super::deviation::Deviation;
 use super::entrant::{Class, ENTRANTS, Entrant};
+use super::history::Record;
 
 /// All that goes into the table, the file and the page.
 pub(super) struct Findings {
@@ -15,6 +17,9 @@ pub(super) struct Findings {
     /// Pictures of each scene, beside each other.
     pub(super) pictures: Vec<Strip>,
     pub(super) repeat: u32,
+    /// What former runs recorded and this one does.
+    pub(super) history: Vec<Record>,
+    pub(super) processor: String,
 }
 
 /// A scene at a size by an entrant.
@@ -26,8 +31,8 @@ pub(super) struct Row {
     pub(super) start_up: f64,
     /// User CPU of each run without its start-up, in nanoseconds per pixel, ascending.
     pub(super) ns_per_pixel: Vec<f64>,
-    /// Difference from `full` of the same class, in levels of 255 of linear values.
-    pub(super) error: Option<Comparison>,
+    /// From the reference of its class.
+    pub(super) deviation: Option<Deviation>,
 }
 
 /// Pictures of a scene.
@@ -101,29 +106,33 @@ pub(super) fn median(values: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 pub(super) mod tests {
+    use super::super::deviation::Amount;
     use super::*;
 
     /// `full` takes 100 ns, everybody else 50 more than the one before.
     pub(in super::super) fn example() -> Findings {
         let row = |(i, entrant): (usize, &Entrant)| {
             let median = 100.0 + 50.0 * i as f64;
-            let error = Comparison { pixels: 1000, mean_error: 0.25, over_2: 5, ..Comparison::default() };
+            let (linear, srgb) = (Amount { mean: 0.25, rms: 0.75 }, Amount { mean: 0.5, rms: 1.5 });
+            let deviation = Some(Deviation { linear, srgb, percent_over_2: 0.5 });
             let ns_per_pixel = vec![0.9 * median, median, 1.1 * median];
             let size = [32, 32];
-            Row {
-                scene: "a,b".into(),
-                size,
-                entrant: *entrant,
-                start_up: 0.002,
-                ns_per_pixel,
-                error: Some(error),
-            }
+            Row { scene: "a,b".into(), size, entrant: *entrant, start_up: 0.002, ns_per_pixel, deviation }
         };
         let rows = ENTRANTS.iter().enumerate().map(row).collect();
         let picture = ("POV-Ray".to_owned(), "<img alt=\"\">".to_owned());
         let pictures = vec![Strip { scene: "a,b".into(), pictures: vec![picture] }];
         let conditions = vec!["Processor <1>".to_owned()];
-        Findings { conditions, notes: vec!["a & b".to_owned()], rows, pictures, repeat: 3 }
+        let (history, processor) = (Vec::new(), "Fast 3000".to_owned());
+        Findings {
+            conditions,
+            notes: vec!["a & b".to_owned()],
+            rows,
+            pictures,
+            repeat: 3,
+            history,
+            processor,
+        }
     }
 
     #[test]

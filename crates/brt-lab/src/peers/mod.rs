@@ -4,9 +4,14 @@
 //! What counts is processor time less start-up; how far the pictures agree is measured beside it, since times of
 //! programs that draw different things mean nothing.
 
+mod agreement;
 mod bench;
+mod csv;
+mod deviation;
 mod entrant;
 mod findings;
+mod history;
+mod history_charts;
 mod machine;
 mod page;
 mod picture;
@@ -40,8 +45,21 @@ pub struct Options {
     pub repeat: u32,
     /// How long a single run may take.
     pub timeout: Duration,
+    /// Only one sample per pixel, no anti-aliasing.
+    pub plain: bool,
+    /// Where to add the medians, if anywhere.
+    pub record: Option<Recording>,
     /// The program `brt`.
     pub ours: PathBuf,
+}
+
+/// A history that medians are added to.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    /// A file of this module's; made if need be.
+    pub file: PathBuf,
+    /// What is measured: a version, a commit. On one line.
+    pub label: String,
 }
 
 /// What came of it.
@@ -70,6 +88,24 @@ pub enum PeersError {
         /// What the system says.
         source: io::Error,
     },
+    /// A file cannot be read.
+    #[error("cannot read {}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A file is no history; it is left as it is.
+    #[error("{}, line {line}: {problem}", path.display())]
+    History {
+        /// The file.
+        path: PathBuf,
+        /// The first bad line, counted from 1.
+        line: usize,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// Our own program does not work.
     #[error("{scene}: brt itself {problem}")]
     Ours {
@@ -90,11 +126,13 @@ pub enum PeersError {
 }
 
 /// Measures, and writes `peers.csv` and `peers.html` into the folder, which is made if need be. The scenes as the peers
-/// read them stay there, too.
+/// read them stay there, too. Last, medians are added to the history, if there is to be one.
 ///
 /// # Errors
 /// See [`PeersError`]. A peer that is missing, fails or hangs is no error but a note.
 pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, PeersError> {
+    // A bad history should not be found after minutes of measuring.
+    let history = options.record.as_ref().map(|record| history::read(&record.file)).transpose()?;
     fs::create_dir_all(folder).map_err(|source| PeersError::File { path: folder.to_owned(), source })?;
     let load_before = machine::load();
     let patience = Patience { timeout: options.timeout, cancel: watch.cancel };
@@ -108,9 +146,16 @@ pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, Pe
     }
     let mut findings = bench.finish(conditions);
     findings.conditions.extend(noise(&findings, load_before));
+    let new = options.record.as_ref().map_or(Vec::new(), |record| {
+        history::records(&findings, &machine::today(), &record.label, &findings.processor)
+    });
+    findings.history = [history.unwrap_or_default(), new.clone()].concat();
     write(&folder.join("peers.csv"), &table::csv(&findings))?;
     let page = folder.join("peers.html");
     write(&page, &page::html(&findings))?;
+    if let Some(record) = &options.record {
+        history::append(&record.file, &new)?;
+    }
     let mut table = table::text(&findings);
     table.push('\n');
     for condition in &findings.conditions {

@@ -2,6 +2,7 @@
 
 use super::entrant::Class;
 use super::findings::{Findings, Row, Strip};
+use super::history_charts;
 use super::table::{TITLES, cells};
 use crate::plot::escape;
 
@@ -28,6 +29,7 @@ pub(super) fn html(findings: &Findings) -> String {
     for scene in scenes(findings) {
         html.push_str(&section(findings, scene));
     }
+    html.push_str(&history_charts::section(&findings.history, &findings.processor));
     html.push_str(&list("Remarks", &findings.notes));
     html.push_str("</body>\n</html>\n");
     html
@@ -40,9 +42,10 @@ fn explanation(repeat: u32) -> String {
          without the start-up (a picture of 16×16), per pixel: {runs}, the programs taking turns; runs of more than five \
          seconds are not repeated. <b>×&nbsp;full</b> and <b>×&nbsp;certified</b>: how many times as long as our \
          <code>--method full</code> (every pixel traced) and <code>--method certified</code> (every pixel within 1 level of that) in the same group. \
-         <b>Mean error</b>: difference from our <code>full</code> in levels of 255 of linear values, over all pixels and \
-         channels; <b>over 2 levels</b>: share of the pixels where a channel differs by more. Errors are measured at the first \
-         size; anti-aliased pictures differ because filters do. In pictures of differences black is none, violet 1 level, red \
+         <b>Mean / RMS</b>: difference in levels of 255 of linear values, over all pixels and channels, and the same <b>in \
+         sRGB</b>; <b>over 2</b>: share of the pixels where a channel differs by more than 2 levels (linear). With one sample \
+         the difference is from our <code>full</code>, anti-aliased from <code>full</code> with 256 samples per pixel, measured \
+         at the first size. In pictures of differences black is none, violet 1 level, red \
          to yellow more. All numbers: <a href=\"peers.csv\">peers.csv</a>.</p>\n"
     )
 }
@@ -73,7 +76,7 @@ fn section(findings: &Findings, scene: &str) -> String {
             let rows: String = findings.rows_of(task, class).map(|row| table_row(findings, row)).collect();
             if !rows.is_empty() {
                 html.push_str(&format!(
-                    "<tr class=\"group\"><th colspan=\"7\">{width} × {height}, {}</th></tr>\n{rows}",
+                    "<tr class=\"group\"><th colspan=\"8\">{width} × {height}, {}</th></tr>\n{rows}",
                     class.name()
                 ));
             }

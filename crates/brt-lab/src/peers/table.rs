@@ -1,11 +1,14 @@
 //! The findings as text: a table for people, and a file for programs.
 
+use super::csv::quoted;
+use super::deviation::Amount;
 use super::entrant::Class;
-use super::findings::{Findings, Row, percent_over_2};
+use super::findings::{Findings, Row};
 
 /// What the columns of the file are called.
 pub(super) const COLUMNS: &str = "scene,width,height,entrant,class,runs,start_up_ms,ns_per_pixel,ns_per_pixel_min,\
-                                  ns_per_pixel_max,ratio_to_full,ratio_to_certified,mean_error,percent_over_2";
+                                  ns_per_pixel_max,ratio_to_full,ratio_to_certified,mean_error,percent_over_2,\
+                                  rms_error,mean_error_srgb,rms_error_srgb";
 
 /// The file.
 pub(super) fn csv(findings: &Findings) -> String {
@@ -26,8 +29,11 @@ pub(super) fn csv(findings: &Findings) -> String {
             number(max),
             number(findings.ratio(row, "brt full")),
             number(findings.ratio(row, "brt certified")),
-            number(row.error.map(|e| e.mean_error)),
-            number(row.error.map(|e| percent_over_2(&e))),
+            number(row.deviation.map(|d| d.linear.mean)),
+            number(row.deviation.map(|d| d.percent_over_2)),
+            number(row.deviation.map(|d| d.linear.rms)),
+            number(row.deviation.map(|d| d.srgb.mean)),
+            number(row.deviation.map(|d| d.srgb.rms)),
         ];
         text.push_str(&fields.join(","));
         text.push('\n');
@@ -35,17 +41,9 @@ pub(super) fn csv(findings: &Findings) -> String {
     text
 }
 
-/// A field of the file.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
-
 /// What a row shows to people: time, its range, ratios, errors.
-pub(super) fn cells(findings: &Findings, row: &Row) -> [String; 6] {
+pub(super) fn cells(findings: &Findings, row: &Row) -> [String; 7] {
+    let amount = |x: Option<Amount>| x.map_or(String::new(), |x| format!("{:.3} / {:.2}", x.mean, x.rms));
     let ratio = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.2}"));
     let range = row.range().map_or(String::new(), |[min, max]| format!("{min:.0}–{max:.0}"));
     [
@@ -53,14 +51,15 @@ pub(super) fn cells(findings: &Findings, row: &Row) -> [String; 6] {
         range,
         ratio(findings.ratio(row, "brt full")),
         ratio(findings.ratio(row, "brt certified")),
-        row.error.map_or(String::new(), |e| format!("{:.3}", e.mean_error)),
-        row.error.map_or(String::new(), |e| format!("{:.2} %", percent_over_2(&e))),
+        amount(row.deviation.map(|d| d.linear)),
+        amount(row.deviation.map(|d| d.srgb)),
+        row.deviation.map_or(String::new(), |d| format!("{:.2} %", d.percent_over_2)),
     ]
 }
 
 /// Titles of the cells.
-pub(super) const TITLES: [&str; 6] =
-    ["ns/pixel", "min–max", "× full", "× certified", "mean error", "over 2 levels"];
+pub(super) const TITLES: [&str; 7] =
+    ["ns/pixel", "min–max", "× full", "× certified", "mean / RMS", "in sRGB", "over 2"];
 
 /// The table for a terminal.
 pub(super) fn text(findings: &Findings) -> String {
@@ -85,9 +84,9 @@ pub(super) fn text(findings: &Findings) -> String {
     text.trim_end().to_owned()
 }
 
-fn line(name: &str, cells: &[String; 6]) -> String {
-    let [time, range, full, certified, error, over] = cells;
-    format!("{name:<44}{time:>10}{range:>15}{full:>10}{certified:>13}{error:>12}{over:>15}\n")
+fn line(name: &str, cells: &[String; 7]) -> String {
+    let [time, range, full, certified, error, srgb, over] = cells;
+    format!("{name:<42}{time:>9}{range:>14}{full:>9}{certified:>13}{error:>16}{srgb:>16}{over:>10}\n")
 }
 
 #[cfg(test)]
@@ -104,7 +103,7 @@ mod tests {
         assert_eq!(
             lines[4],
             "\"a,b\",32,32,POV-Ray,one sample per pixel,3,2.000000,250.000000,225.000000,275.000000,2.500000,1.250000,\
-             0.250000,0.500000"
+             0.250000,0.500000,0.750000,0.500000,1.500000"
         );
     }
 
