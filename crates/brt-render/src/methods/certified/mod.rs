@@ -49,6 +49,9 @@ const LEAST_EVEN: f64 = 3.0;
 /// Fewer samples are traced: proofs would cost more.
 const LEAST_PROVEN: u32 = 48;
 
+/// As many mirror rays look up together what they meet.
+const LEAST_MIRRORED: u32 = 12;
+
 /// Renders a tile whose perspective image is painted.
 pub(crate) fn render_certified(
     worker: &mut TileWorker,
@@ -101,11 +104,19 @@ impl Certified<'_, '_> {
             let background = crate::tracing::constant(self.worker.tracer.color_of_nothing());
             return self.fill(area, Parts::Regions(group), primitive, &background);
         }
-        if group.iter().map(|region| region.samples).sum::<u32>() < LEAST_PROVEN {
+        let samples = group.iter().map(|region| region.samples).sum::<u32>();
+        if samples < LEAST_PROVEN && !self.goes_alone(primitive, samples) {
             // Left for the end, where it is traced together with its neighbours.
             return;
         }
         self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));
+    }
+
+    /// Is it worth while to trace so few samples of a primitive without their neighbours? What it mirrors lies together.
+    fn goes_alone(&self, primitive: u32, samples: u32) -> bool {
+        let scene = self.follower.scene;
+        let material = scene.infos[primitive as usize].material;
+        samples >= LEAST_MIRRORED && scene.materials[material as usize].reflection > 0.0
     }
 
     fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {

@@ -36,11 +36,14 @@ pub(super) fn group_of(scene: &PreparedScene, hits: &Hits, rest: u64, packets: u
     if info.is_plain() && (is_full || !scene.primitives[primitive as usize].is_flat()) {
         return (same, Group::Primitive(primitive));
     }
+    // What one surface mirrors stays together, more or less.
+    let mirrors = scene.materials[info.material as usize].reflection > 0.0;
     let goes_along = |i: usize| {
         let id = hits.primitive(i);
-        id != NOTHING
-            && scene.infos[id as usize].material == info.material
-            && scene.primitives[id as usize].is_flat()
+        id != NOTHING && scene.primitives[id as usize].is_flat() && {
+            let other = &scene.infos[id as usize];
+            other.material == info.material && (other.surface == info.surface || !mirrors)
+        }
     };
     let group = ones(rest & !same).filter(|&i| goes_along(i)).fold(same, |bits, i| bits | 1 << i);
     if group == same && info.is_plain() {

@@ -14,9 +14,12 @@ const LEAST_RAYS: usize = 12;
 /// So many primitives are tried together before it is asked whether more are needed.
 const BATCH: usize = 20;
 
-/// Rays whose shaft touches more than this and a few for each of them search by themselves: they go apart.
-const MOST_TOUCHED: usize = 48;
-const MOST_TOUCHED_PER_RAY: usize = 2;
+/// Rays that would try more than this and a few for each of them search by themselves: they go apart.
+const MOST_TRIED: usize = 48;
+const MOST_TRIED_PER_RAY: usize = 2;
+
+/// So many boxes that the shaft touches cost as much as one primitive that is tried.
+const BOXES_PER_TRY: usize = 4;
 
 /// All primitives of scenes with no more are tried by all rays.
 const FEW: usize = 6;
@@ -96,15 +99,16 @@ impl Lookup {
         let Some(shaft) = shaft_of(bvh, shaft) else { return false };
         // Single rays try all of these, wherever they are.
         list.extend(scene.outside.iter().filter(|&&id| counts(id)));
-        let (mut touched, most) = (list.len(), MOST_TOUCHED + MOST_TOUCHED_PER_RAY * count);
+        let (mut spent, most) = (0, BOXES_PER_TRY * (MOST_TRIED + MOST_TRIED_PER_RAY * count));
         let mut is_over = false;
         bvh.touched_in_order(&shaft, walk, |id| {
-            touched += 1;
-            if touched > most {
+            spent += 1;
+            if spent > most {
                 return Next::Break(());
             }
             if counts(id) && !shaft.misses(&scene.primitives[id as usize]) {
                 list.push(id);
+                spent += BOXES_PER_TRY;
             }
             if list.len() < BATCH {
                 return ANYWHERE;
@@ -114,7 +118,7 @@ impl Lookup {
             is_over = next.is_break();
             next
         });
-        if touched > most {
+        if spent > most {
             return false;
         }
         if !is_over && !list.is_empty() {
