@@ -30,7 +30,7 @@ pub(crate) struct ViewOptions {
     /// Four views in one picture: iso, front, right and top
     #[arg(long, conflicts_with_all = ["view", "pixel", "layers", "stats", "verify", "max_error", "no_save"])]
     pub(crate) sheet: bool,
-    /// Colour of all that the file gives none: #rrggbb or a name
+    /// Colour of all that the file gives none: #rrggbb or a name, such as red, orange, green, blue or silver
     #[arg(long, value_name = "COLOR", value_parser = values::color)]
     color: Option<Rgb>,
     /// What is behind everything: #rrggbb, a name, or `transparent`, which gives .png and .exr an alpha; mirrors and glass
@@ -40,6 +40,17 @@ pub(crate) struct ViewOptions {
     /// Same as --background transparent
     #[arg(long, conflicts_with = "background")]
     no_background: bool,
+}
+
+/// Fits the view into a picture of this size if the file says nothing about the view.
+pub(crate) fn frame(scene: &mut Scene, given: &Given, size: [u32; 2]) {
+    if given.camera {
+        return;
+    }
+    scene.camera = framed_camera(scene, &Framing { size, ..Framing::new(given.up) });
+    if !given.lights {
+        scene.lights = studio_lights(&scene.camera);
+    }
 }
 
 impl ViewOptions {

@@ -62,6 +62,8 @@ pub(crate) struct SceneInput {
     pub(crate) scene: Scene,
     pub(crate) report: Report,
     pub(crate) given: Given,
+    /// The other files that were read for it.
+    pub(crate) files: Vec<PathBuf>,
     text: String,
     name: String,
 }
@@ -98,7 +100,9 @@ pub(crate) fn read(path: &Path, options: &InputOptions, max_pixels: u64) -> Resu
 fn read_file(path: &Path, format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = path.display().to_string();
     match load_as(path, format, limits) {
-        Ok(Loaded { scene, report, given, text }) => Ok(SceneInput { scene, report, given, text, name }),
+        Ok(Loaded { scene, report, given, files, text }) => {
+            Ok(SceneInput { scene, report, given, files, text, name })
+        }
         Err(LoadError::Malformed { report, text, .. }) => Err(malformed(&report, &name, &text)),
         Err(error) => Err(cannot_load(path, error)),
     }
@@ -110,8 +114,8 @@ fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Fai
     io::stdin().lock().take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes)?;
     let format = format.or_else(|| Format::from_content(&bytes)).unwrap_or(Format::Toml);
     match import(format, &bytes, None, limits) {
-        Ok(Imported { scene, report, given }) => {
-            Ok(SceneInput { scene, report, given, text: text_of(bytes), name })
+        Ok(Imported { scene, report, given, files }) => {
+            Ok(SceneInput { scene, report, given, files, text: text_of(bytes), name })
         }
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
         Err(error) => {
@@ -156,6 +160,17 @@ fn limit_hint(exceeded: &LimitExceeded) -> Option<String> {
         LimitKind::TexturePixels => return None,
     };
     Some(format!("`{option} N` allows more"))
+}
+
+/// Refuses to write a file over one that the scene is made of.
+pub(crate) fn check_spares(files: &[PathBuf], outputs: &[PathBuf]) -> Result<(), Failure> {
+    match outputs.iter().find(|path| files.iter().any(|file| same_file(file, path))) {
+        Some(path) => Err(wrong_use(format!(
+            "{} would overwrite a file that the scene uses; `-o` names another",
+            path.display()
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Refuses to write a file over the scene it is made of, or two files to one place.

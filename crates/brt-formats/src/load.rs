@@ -2,7 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use brt_scene::framing::Up;
 use brt_scene::{MaterialId, Report, Scene};
@@ -20,6 +20,8 @@ pub struct Loaded {
     pub report: Report,
     /// What the file itself says about how it is looked at.
     pub given: Given,
+    /// The other files that were read for it: buffers, materials, pictures, meshes.
+    pub files: Vec<PathBuf>,
     /// The file's text, for whoever draws the report; empty for binary files.
     pub text: String,
 }
@@ -33,6 +35,8 @@ pub struct Imported {
     pub report: Report,
     /// What the file itself says about how it is looked at.
     pub given: Given,
+    /// The other files that were read for it: buffers, materials, pictures, meshes.
+    pub files: Vec<PathBuf>,
 }
 
 /// What a file says about how it is looked at; the rest was chosen by [`brt_scene::framing`] and may be chosen anew.
@@ -95,9 +99,9 @@ pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<L
     let folder =
         path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
     match import(format, &bytes, folder, limits) {
-        Ok(Imported { scene, report, given }) => {
+        Ok(Imported { scene, report, given, files }) => {
             let text = text_for(&report, bytes);
-            Ok(Loaded { scene, report, given, text })
+            Ok(Loaded { scene, report, given, files, text })
         }
         Err(error) => Err(with_path(error, path, bytes)),
     }
@@ -141,22 +145,32 @@ pub fn import(
     limits: &Limits,
 ) -> Result<Imported, ParseError> {
     limits.allows(LimitKind::Bytes, bytes.len() as u64)?;
-    let complete =
-        |(scene, report): (Scene, Report), up| Imported { scene, report, given: Given::everything(up) };
     let mut beside = Beside::new(folder, limits);
+    let imported = read(format, bytes, &mut beside, limits)?;
+    Ok(Imported { files: beside.into_files(), ..imported })
+}
+
+fn read(format: Format, bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
+    let complete = |(scene, report): (Scene, Report), up| Imported {
+        scene,
+        report,
+        given: Given::everything(up),
+        files: Vec::new(),
+    };
     match format {
-        Format::Toml => Ok(complete(toml::read(bytes, &mut beside, limits)?, Up::PlusY)),
+        Format::Toml => Ok(complete(toml::read(bytes, beside, limits)?, Up::PlusY)),
         Format::Nff => Ok(complete(nff::read(bytes, limits)?, Up::PlusZ)),
         Format::Stl => stl::read(bytes, limits),
-        Format::Ply => ply::read(bytes, &mut beside, limits),
+        Format::Ply => ply::read(bytes, beside, limits),
         Format::Off => off::read(bytes, limits),
-        Format::Obj => obj::read(bytes, &mut beside, limits),
-        Format::Gltf => gltf::read(bytes, &mut beside, limits),
+        Format::Obj => obj::read(bytes, beside, limits),
+        Format::Gltf => gltf::read(bytes, beside, limits),
         Format::ThreeMf => threemf::read(bytes, limits),
         Format::Vrml => vrml::read(bytes, limits),
         Format::Pov | Format::Dat => Err(ParseError::OnlyWritten(format)),
     }
 }
+
 fn read_file(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if metadata.is_dir() {

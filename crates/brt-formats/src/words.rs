@@ -6,6 +6,15 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_scene::Diagnostic;
 
+/// The start of a text from the file, short enough for a message.
+pub(crate) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// A word and its place.
 #[derive(Clone, Debug)]
 pub(crate) struct Word<'b> {

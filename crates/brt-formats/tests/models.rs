@@ -66,7 +66,7 @@ fn binary_stl(head: &[u8]) -> Vec<u8> {
 fn stl_as_text_and_binary() {
     for bytes in [STL.as_bytes().to_vec(), binary_stl(b"x"), binary_stl(b"solid with a wrong word")] {
         assert_eq!(Format::from_content(&bytes), Some(Format::Stl));
-        let Imported { scene, report, given } = read(Format::Stl, &bytes);
+        let Imported { scene, report, given, .. } = read(Format::Stl, &bytes);
         assert_is_triangle(&scene);
         assert_eq!(report.diagnostics, []);
         assert_eq!((given.camera, given.lights, given.up), (false, false, Up::PlusZ));
@@ -164,7 +164,7 @@ fn gltf(extra: &str) -> String {
 
 #[test]
 fn gltf_nodes_put_meshes_in_their_places() {
-    let Imported { scene, report, given } = read(Format::Gltf, gltf("").as_bytes());
+    let Imported { scene, report, given, .. } = read(Format::Gltf, gltf("").as_bytes());
     let all = triangles(&scene);
     // Mirrored, the front stays the front.
     assert_eq!(normal(all[0]), vec3(0.0, 0.0, 2.0));
@@ -295,7 +295,7 @@ fn vrml_shapes_uses_and_viewpoints() {
         Shape { geometry Cylinder { height 4 top FALSE } }
         Shape { geometry Cone { } } Shape { geometry Box { size 1 2 3 } }
         PROTO Odd [ field SFInt32 a 1 ] { Group { } } PointLight { } PointLight { }";
-    let Imported { scene, report, given } = read(Format::Vrml, text.as_bytes());
+    let Imported { scene, report, given, .. } = read(Format::Vrml, text.as_bytes());
     let kinds: Vec<&str> = scene.objects.iter().map(|object| object.shape.kind()).collect();
     assert_eq!(kinds, ["sphere", "sphere", "cylinder", "cone", "mesh"]);
     assert_eq!(scene.objects[1].shape, Shape::Sphere { center: vec3(5.0, 0.0, 0.0), radius: 2.0 });

@@ -254,7 +254,7 @@ fn ply_names_its_picture_in_a_comment() {
     assert_eq!(texture(&imported.scene.materials[object.material.0 as usize]).picture.rgba, FOUR);
     assert_eq!(meshes(&imported.scene)[0].texcoords, [[0.0, 1.0], [1.0, 1.0], [0.0, 0.25]]);
     let alone = import(Format::Ply, PLY.as_bytes(), None, &Limits::default()).unwrap();
-    assert_eq!(messages(&alone), ["the picture cannot be read: the scene has no folder"]);
+    assert_eq!(messages(&alone), ["the picture `four.png` cannot be read: the scene has no folder"]);
     assert!(meshes(&alone.scene)[0].texcoords.is_empty());
     let other = PLY.replace("float s\n", "float texture_u\n").replace("float t\n", "float texture_v\n");
     let imported = import(Format::Ply, other.as_bytes(), Some(folder.path()), &Limits::default()).unwrap();

@@ -1,15 +1,16 @@
 //! `brt compare`: how far two pictures differ.
 
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::image::{self, PictureLimits, heat_map, read_picture};
+use brt::image::{self, PictureLimits, decode_picture, heat_map, read_picture};
 use brt::{Comparison, Encoding, Output};
 use clap::Args;
 
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::json::{self, ComparisonJson};
 use crate::output;
-use crate::scene_input::check_distinct;
+use crate::scene_input::{check_distinct, is_dash};
 use crate::values;
 
 /// Options of `brt compare`.
@@ -18,7 +19,7 @@ pub(crate) struct Options {
     /// The picture that is right
     #[arg(value_name = "REF")]
     reference: PathBuf,
-    /// The picture that is judged
+    /// The picture that is judged; `-` reads standard input
     #[arg(value_name = "TEST")]
     test: PathBuf,
     /// Print the measures as JSON
@@ -37,10 +38,13 @@ pub(crate) struct Options {
 
 /// Compares two pictures. Alpha counts as a fourth channel.
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+    if is_dash(&options.reference) && is_dash(&options.test) {
+        return Err(wrong_use("standard input holds one picture, expected a file for the other"));
+    }
     let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
     let limits = PictureLimits { pixels: options.max_pixels };
-    let reference = read_picture(&options.reference, limits)?;
-    let test = read_picture(&options.test, limits)?;
+    let reference = read(&options.reference, limits)?;
+    let test = read(&options.test, limits)?;
     let comparison = image::compare(&reference, &test)?;
     if let Some(output) = heat_output {
         let map = heat_map(&reference, &test)?;
@@ -65,6 +69,16 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     }
     let over = options.max_error.is_some_and(|limit| comparison.max_error > limit);
     Ok(if over { Outcome::OverLimit } else { Outcome::Done })
+}
+
+/// Reads a picture; `-` is that on standard input.
+fn read(path: &Path, limits: PictureLimits) -> Result<image::Picture, Failure> {
+    if !is_dash(path) {
+        return Ok(read_picture(path, limits)?);
+    }
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(decode_picture(&bytes, limits).map_err(|error| anyhow::anyhow!("standard input: {error}"))?)
 }
 
 /// The picture without alpha, if the other has one.

@@ -7,6 +7,7 @@ use clap::Args;
 
 use crate::commands::scene_files;
 use crate::exit::{Failure, Outcome, wrong_use};
+use crate::framing::frame;
 use crate::scene_input::{self, InputOptions, check_distinct, is_dash};
 use crate::{diagnostics, output, values};
 
@@ -22,7 +23,8 @@ pub(crate) struct Options {
     /// output all stands in the text.
     #[arg(value_name = "OUT")]
     output: PathBuf,
-    /// Picture size that .pov and .dat are written for [default: the scene's, else 1024x1024]
+    /// Picture size that the scene asks for, and that a view without a camera is framed for [default: the scene's, else
+    /// 1024x1024]
     #[arg(short, long, value_name = "WxH", value_parser = values::size)]
     size: Option<[u32; 2]>,
     /// Options for reading the scene
@@ -37,7 +39,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     check_distinct(from, std::slice::from_ref(path))?;
     let mut input = scene_input::read(from, reading, u64::MAX)?;
     input.show_warnings();
-    input.scene.size = size.or(input.scene.size);
+    scene_input::check_spares(&input.files, std::slice::from_ref(path))?;
+    if let Some(size) = *size {
+        input.scene.size = Some(size);
+        frame(&mut input.scene, &input.given, size);
+    }
     let written =
         if is_dash(path) { write(format, &input.scene) } else { write_beside(format, &input.scene, path) }?;
     scene_files::put(from, path, &written)?;

@@ -182,7 +182,10 @@ impl CameraJson {
 
     fn text(&self) -> String {
         let projection = match self.projection {
-            ProjectionJson::Perspective { fov_deg } => format!("perspective, {fov_deg}°"),
+            ProjectionJson::Perspective { fov_deg } => {
+                // Angles are computed from slopes: 30 comes back as 29.999999999999996.
+                format!("perspective, {}°", (fov_deg * 1e9).round() / 1e9)
+            }
             ProjectionJson::Orthographic { extent } => format!("orthographic, extent {extent}"),
         };
         format!("at {} towards {}, {projection}", spaced(self.eye), spaced(self.look_at))

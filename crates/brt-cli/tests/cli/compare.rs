@@ -59,3 +59,14 @@ fn pictures_of_other_sizes_and_too_large_ones_are_refused() {
     assert!(ended.errors.contains("2×1") && ended.errors.contains("2×2"), "{}", ended.errors);
     assert_eq!(bench.run("compare large.ppm large.ppm --max-pixels 3").code, Some(1));
 }
+
+#[test]
+fn a_picture_may_come_from_standard_input() {
+    let bench = greys(&[50, 53]);
+    let picture = format!("P6 2 1 255\n{}", "2".repeat(6));
+    let ended = bench.run_with_input("compare 50.ppm - --max-error 0", &picture);
+    assert_eq!(ended.code, Some(0), "{}", ended.errors);
+    assert_eq!(bench.run_with_input("compare 53.ppm - --max-error 1", &picture).code, Some(3));
+    assert_eq!(bench.run_with_input("compare - -", &picture).code, Some(2));
+    assert_eq!(bench.run_with_input("compare - 50.ppm", "P6 no").code, Some(1));
+}

@@ -147,3 +147,31 @@ fn wrong_views_are_wrong_use() {
         assert_eq!(bench.run(&format!("render part.off {arguments}")).code, Some(2), "{arguments}");
     }
 }
+
+#[test]
+fn files_that_the_scene_uses_are_not_overwritten() {
+    let bench = bench();
+    bench.done("render part.off wood.png -s 4x4 --samples 1");
+    bench.write("wood.mtl", "newmtl wood\nmap_Kd wood.png\n");
+    bench.write(
+        "wood.obj",
+        "mtllib wood.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n",
+    );
+    let before = bench.read("wood.png");
+    for arguments in ["render wood.obj -s 8x8", "render wood.obj -s 8x8 --stats wood.mtl -o other.png"] {
+        let ended = bench.run(arguments);
+        assert_eq!(ended.code, Some(2), "{arguments}");
+        assert!(ended.errors.contains("would overwrite a file that the scene uses"), "{}", ended.errors);
+    }
+    assert_eq!(bench.read("wood.png"), before);
+    bench.done("render wood.obj -s 8x8 -o other.png");
+}
+
+#[test]
+fn converted_models_are_framed_for_the_size_that_is_asked_for() {
+    let bench = bench();
+    bench.done("render part.off direct.png -s 48x16 --samples 1");
+    bench.done("convert part.off part.toml -s 48x16");
+    bench.done("render part.toml converted.png --samples 1");
+    bench.done("compare direct.png converted.png --max-error 1");
+}

@@ -53,6 +53,7 @@ fn note_pictures(material: &gltf::Material, i: usize, draft: &mut Draft) {
         ("normal", material.normal_texture().is_some()),
         ("occlusion", material.occlusion_texture().is_some()),
         ("emission", material.emissive_texture().is_some()),
+        ("transmission", material.transmission().is_some_and(|t| t.transmission_texture().is_some())),
     ];
     for (name, is_there) in pictures {
         if is_there {

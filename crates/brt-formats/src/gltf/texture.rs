@@ -10,6 +10,7 @@ use gltf::texture::{Info, MagFilter, WrappingMode};
 use super::buffers::{Buffers, decoded, inline};
 use crate::Limits;
 use crate::import::{Beside, Draft, Pictures};
+use crate::words::excerpt;
 
 /// Reads the textures of a file.
 pub(super) struct Textures<'f, 'b> {
@@ -67,7 +68,8 @@ impl<'f, 'b> Textures<'f, 'b> {
             (Some(uri), _) => {
                 let name = decoded(uri);
                 let beside = &mut *self.beside;
-                self.pictures.get(&name, || beside.read(&name).map(Cow::Owned))
+                let read = || beside.read(&name).map(Cow::Owned);
+                self.pictures.get(&name, read).map_err(|why| format!("`{}`: {why}", excerpt(&name)))
             }
             (None, Some(view)) => {
                 let bytes = self.view(view.value());

@@ -13,12 +13,18 @@ pub(crate) struct Beside {
     outside: bool,
     /// Bytes that may still be read: all files together count as one.
     bytes_left: u64,
+    read: Vec<PathBuf>,
 }
 
 impl Beside {
     /// `folder` is `None` where the scene does not come from a file.
     pub(crate) fn new(folder: Option<&Path>, limits: &Limits) -> Self {
-        Self { folder: folder.map(Path::to_owned), outside: limits.files_outside, bytes_left: limits.bytes }
+        Self {
+            folder: folder.map(Path::to_owned),
+            outside: limits.files_outside,
+            bytes_left: limits.bytes,
+            read: Vec::new(),
+        }
     }
 
     /// Reads a file by the name that the scene has for it. The error says why not, fit to follow the name.
@@ -35,7 +41,13 @@ impl Beside {
         let file = File::open(&path).map_err(|error| words_of(&error))?;
         file.take(self.bytes_left).read_to_end(&mut bytes).map_err(|error| words_of(&error))?;
         self.bytes_left -= bytes.len() as u64;
+        self.read.push(path);
         Ok(bytes)
+    }
+
+    /// The files that were read.
+    pub(crate) fn into_files(self) -> Vec<PathBuf> {
+        self.read
     }
 
     fn find(&self, name: &str) -> Result<PathBuf, String> {

@@ -245,7 +245,7 @@ impl Draft {
             report.push(Diagnostic::error(message, None).expecting(first.expected));
             return Err(ParseError::Malformed(report));
         }
-        Ok(Imported { scene, report: notices.into_report(), given })
+        Ok(Imported { scene, report: notices.into_report(), given, files: Vec::new() })
     }
 }
 

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use brt_scene::{Texture, TextureAlpha, TextureFilter, Wrap};
 
 use crate::import::{Beside, Picture, Pictures};
+use crate::words::excerpt;
 
 /// A map as the file has it.
 #[derive(Debug, PartialEq)]
@@ -16,6 +17,11 @@ pub(super) struct Map {
 }
 
 impl Map {
+    /// The file's name for messages.
+    pub(super) fn quoted(&self) -> String {
+        format!("`{}`", excerpt(&self.file))
+    }
+
     /// Reads `[options] file`. Options that say nothing about where the picture lies are read over.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let mut map = Self { file: String::new(), offset: [0.0; 2], scale: [1.0; 2], clamps: false };

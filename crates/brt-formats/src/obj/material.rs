@@ -109,7 +109,7 @@ impl Library<'_> {
             match map.read(self.folder, self.beside, &mut self.materials.pictures) {
                 Ok(texture) => material.texture = Some(texture),
                 Err(why) => {
-                    let what = format!("picture of a material cannot be read: {why}");
+                    let what = format!("picture {} of a material cannot be read: {why}", map.quoted());
                     self.draft.notices.note(&what, format!("`{name}`"));
                 }
             }
@@ -173,7 +173,8 @@ impl Entry {
             material.emission = self.emission;
         }
         let shine = self.specular.clamp(0.0, 1.0);
-        if self.illumination >= 2.0 {
+        // An exponent of 0 is that of programs that write no shine: it would be a veil of white over everything.
+        if self.illumination >= 2.0 && self.exponent > 0.0 {
             material.specular = 0.5 * shine;
             material.exponent = self.exponent.clamp(1.0, 1000.0);
         }

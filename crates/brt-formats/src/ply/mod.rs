@@ -20,6 +20,7 @@ use ply_rs_bw::ply::{ElementDef, Header};
 
 use crate::import::{Beside, CREASE_DEG, Crease, Draft, Geometry, Pictures, Stop, fan_or_cut, fault};
 use crate::load::Imported;
+use crate::words::excerpt;
 use crate::{Limits, ParseError};
 use element::{Face, Ignored, Vertex};
 
@@ -112,7 +113,7 @@ fn texture(
     match Pictures::new(limits).get(name, || beside.read(name).map(Cow::Owned)) {
         Ok(picture) => Some(Texture::new(picture)),
         Err(why) => {
-            draft.notices.say(&format!("the picture cannot be read: {why}"));
+            draft.notices.say(&format!("the picture `{}` cannot be read: {why}", excerpt(name)));
             None
         }
     }

@@ -5,8 +5,9 @@ use std::ops::Range;
 use brt_scene::Diagnostic;
 use toml::de::{DeTable, DeValue};
 
-use super::value::{Value, excerpt, mismatch};
+use super::value::{Value, mismatch};
 use crate::problems::Problems;
+use crate::words::excerpt;
 
 /// One table of the file under reading.
 pub(super) struct Fields<'v, 'a, 'p> {

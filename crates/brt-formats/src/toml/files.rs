@@ -7,11 +7,12 @@ use std::sync::Arc;
 use base64::Engine as _;
 use brt_scene::{Diagnostic, Mesh, Texels};
 
-use super::value::{Value, error, excerpt, text};
+use super::value::{Value, error, text};
 use crate::Limits;
 use crate::import::{Beside, Pictures};
 use crate::meshes;
 use crate::problems::Problems;
+use crate::words::excerpt;
 
 /// The files beside a scene.
 pub(super) struct Files<'b> {

@@ -8,10 +8,11 @@ use toml::de::{DeTable, DeValue};
 
 use super::fields::{Fields, did_you_mean};
 use super::files::Files;
-use super::value::{Value, colors, error, excerpt, mismatch, pairs, triangles, vectors};
+use super::value::{Value, colors, error, mismatch, pairs, triangles, vectors};
 use crate::LimitExceeded;
 use crate::limits::Counter;
 use crate::problems::Problems;
+use crate::words::excerpt;
 
 /// Fields of a mesh.
 pub(super) const MESH_FIELDS: &[&str] = &["positions", "normals", "colors", "texcoords", "triangles"];

@@ -15,12 +15,11 @@ use super::light::read_light;
 use super::material::read_material;
 use super::mesh::{Meshes, read_meshes};
 use super::shape::read_shapes;
-use super::value::{
-    Value, color, error, excerpt, matrix, mismatch, number, one_of, size, text, vector, whole,
-};
+use super::value::{Value, color, error, matrix, mismatch, number, one_of, size, text, vector, whole};
 use crate::LimitExceeded;
 use crate::limits::Counter;
 use crate::problems::Problems;
+use crate::words::excerpt;
 
 const KNOWN: &[&str] =
     &["size", "max_depth", "background", "camera", "light", "materials", "meshes", "object"];

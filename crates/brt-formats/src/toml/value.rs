@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::fields::did_you_mean;
+use crate::words::excerpt;
 
 /// A value with its place.
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;
@@ -144,15 +145,6 @@ pub(super) fn mismatch(value: &Value, expected: &str) -> Diagnostic {
         DeValue::Table(_) => "a table",
     };
     error(format!("found {found}"), value, expected)
-}
-
-/// The start of a text from the file, short enough for a message.
-pub(super) fn excerpt(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 fn finite(digits: &str, value: &Value) -> Result<f64, Diagnostic> {

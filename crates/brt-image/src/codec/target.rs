@@ -105,7 +105,10 @@ fn create_temporary(folder: &Path, name: &OsStr) -> io::Result<NamedTempFile> {
     // The default, readable by the owner alone, suits secrets. The umask still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    // What went wrong without the random name that it went wrong with.
+    builder
+        .tempfile_in(folder)
+        .map_err(|error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error))
 }
 
 impl Write for AtomicFile {

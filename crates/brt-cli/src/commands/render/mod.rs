@@ -29,6 +29,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let method = method::chosen(options, &targets.picture.encoding)?;
 
     let input = scene_input::read(&options.scene, &options.reading, options.max_pixels)?;
+    scene_input::check_spares(&input.files, &targets.files())?;
     if !options.quiet {
         input.show_warnings();
     }

@@ -30,10 +30,16 @@ impl Targets {
         if to_stdout && stats.as_deref().is_some_and(is_dash) {
             return Err(wrong_use("the picture and its statistics cannot both go to standard output"));
         }
-        let mut files = picture.files();
-        files.extend(stats.iter().filter(|path| !is_dash(path)).cloned());
-        check_distinct(&options.scene, &files)?;
-        Ok(Self { picture, stats })
+        let targets = Self { picture, stats };
+        check_distinct(&options.scene, &targets.files())?;
+        Ok(targets)
+    }
+
+    /// All files that will be written.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        let mut files = self.picture.files();
+        files.extend(self.stats.iter().filter(|path| !is_dash(path)).cloned());
+        files
     }
 }
 
