@@ -24,8 +24,7 @@ impl Bvh {
         let mut open = vec![Child { first: 0, count: 0 }];
         while let Some(child) = open.pop() {
             if child.count > 0 {
-                let items = &self.items[child.first as usize..(child.first + child.count) as usize];
-                if !items.iter().all(|&item| visit(item)) {
+                if !self.leaf(child).iter().all(|&item| visit(item)) {
                     return false;
                 }
                 continue;

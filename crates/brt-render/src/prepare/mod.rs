@@ -7,7 +7,8 @@ mod mesh;
 pub use camera::PreparedCamera;
 
 use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
-use brt_scene::{Light, Material, Scene};
+use brt_image::Rgb;
+use brt_scene::{Light, Material, Scene, Shape};
 
 use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo};
 use crate::settings::Accelerator;
@@ -52,10 +53,24 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
         lights: scene.lights.iter().map(prepare_light).collect(),
         materials,
         background: scene.background,
+        darkest: if has_negative_light(scene) { f32::NEG_INFINITY } else { 0.0 },
         has_dimmers,
         colors,
         texcoords,
     }
+}
+
+/// May anything look darker than black? Files may ask for it.
+fn has_negative_light(scene: &Scene) -> bool {
+    let is_negative = |c: &Rgb| c.r < 0.0 || c.g < 0.0 || c.b < 0.0;
+    is_negative(&scene.background)
+        || scene.materials.iter().any(|m| {
+            [&m.color, &m.emission].into_iter().chain(m.checker.as_ref().map(|c| &c.color)).any(is_negative)
+        })
+        || scene
+            .objects
+            .iter()
+            .any(|object| matches!(&object.shape, Shape::Mesh(mesh) if mesh.colors.iter().any(is_negative)))
 }
 
 fn prepare_light(light: &Light) -> PreparedLight {

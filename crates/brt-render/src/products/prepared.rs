@@ -24,6 +24,8 @@ pub struct PreparedScene {
     pub(crate) lights: Vec<PreparedLight>,
     pub(crate) materials: Vec<PreparedMaterial>,
     pub(crate) background: Rgb,
+    /// No colour that is seen is darker: 0 where no colour of the scene is negative.
+    pub(crate) darkest: f32,
     /// Does anything dim lights instead of hiding them?
     pub(crate) has_dimmers: bool,
     /// Colours of the corners of triangles.

@@ -111,7 +111,7 @@ impl Certified<'_, '_> {
     pub(super) fn fill(&mut self, area: Area, parts: Parts, primitive: u32, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
         self.note_histories(area, parts, primitive);
-        let fill = LinearFill::new(area, color);
+        let fill = LinearFill::new(area, color, self.follower.scene.darkest);
         self.for_each_area(area, parts, |this, part, is_whole| {
             for y in part.y0..part.y1 {
                 let start = this.tile.index(part.x0 - this.tile.x, y - this.tile.y);
@@ -162,10 +162,12 @@ struct LinearFill {
     color: [Taylor; 3],
     per_column: [f64; 3],
     per_row: [f64; 3],
+    /// No colour is darker: where the line is, it is off by at least as much as this.
+    darkest: f32,
 }
 
 impl LinearFill {
-    fn new(area: Area, color: &Rgb<Taylor>) -> Self {
+    fn new(area: Area, color: &Rgb<Taylor>, darkest: f32) -> Self {
         let step =
             |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
         let color = [color.r, color.g, color.b];
@@ -174,6 +176,7 @@ impl LinearFill {
             color,
             per_column: color.map(|c| step(c.u, area.x1 - area.x0)),
             per_row: color.map(|c| step(c.v, area.y1 - area.y0)),
+            darkest,
         }
     }
 
@@ -184,7 +187,8 @@ impl LinearFill {
             let Taylor { c, u, v, .. } = self.color[i];
             (c - u - v + self.per_column[i] * right + self.per_row[i] * down) as f32
         };
-        RowFill { start: std::array::from_fn(start), step: self.per_column.map(|s| s as f32), at: 0.0 }
+        let step = self.per_column.map(|s| s as f32);
+        RowFill { start: std::array::from_fn(start), step, at: 0.0, darkest: self.darkest }
     }
 }
 
@@ -192,13 +196,13 @@ struct RowFill {
     start: [f32; 3],
     step: [f32; 3],
     at: f32,
+    darkest: f32,
 }
 
 impl RowFill {
     #[inline(always)]
     fn next(&mut self) -> [f32; 3] {
-        // Light is not negative: where the line is, it is off by at least as much as 0.
-        let color = std::array::from_fn(|i| (self.start[i] + self.step[i] * self.at).max(0.0));
+        let color = std::array::from_fn(|i| (self.start[i] + self.step[i] * self.at).max(self.darkest));
         self.at += 1.0;
         color
     }

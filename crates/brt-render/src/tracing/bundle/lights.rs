@@ -141,26 +141,29 @@ impl Tracer<'_> {
             return None;
         }
         let faces = lit.iter().map(|lit| lit.count()).sum::<u64>();
-        self.counters.rays.shadow += faces;
         let scene = self.scene;
         if let Lighting::Among(list) = lighting {
+            self.counters.rays.shadow += faces;
             self.search.count_tests(faces * list.len() as u64);
             hide_in_lanes(scene, seen, light, list, lit);
             return None;
         }
-        let (open, mut tests, mut dims) = (*lit, 0, false);
+        let (open, mut tests, mut meets_dimmer) = (*lit, 0, false);
         let is_complete = self.lookup.shadow(scene, &seen.ways_to(light, &open), |list, _| {
-            dims |= scene.has_dimmers && list.iter().any(|&id| scene.dims(id));
-            if dims {
+            meets_dimmer |= scene.has_dimmers && list.iter().any(|&id| scene.dims(id));
+            if meets_dimmer {
                 return Next::Break(());
             }
             tests += list.len();
             if hide_in_lanes(scene, seen, light, list, lit) { ANYWHERE } else { Next::Break(()) }
         });
         self.search.count_tests(faces * tests as u64);
-        if dims || (!is_complete && scene.has_dimmers) {
+        if meets_dimmer || (!is_complete && scene.has_dimmers) {
+            // From the beginning: behind a dimmer light goes on as a new ray, which rounding may lead elsewhere.
+            *lit = open;
             return Some(self.search_shares(seen, light, lit));
         }
+        self.counters.rays.shadow += faces;
         if !is_complete {
             self.search_shadows(seen, light, lit);
         }

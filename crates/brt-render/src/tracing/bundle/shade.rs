@@ -1,4 +1,4 @@
-//! Shading of what a bundle meets on one primitive.
+//! How what a bundle meets looks: one primitive, or flat ones of one material.
 
 use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Primitive, Ray, Real, SimdLevel, Vec3};
 use brt_image::Rgb;
