@@ -71,3 +71,28 @@ fn nothing_slips_between_far_faces() {
     }));
     assert_bundles_are_single_rays(&glowing(camera, shapes));
 }
+
+/// Light that overflows (its colour times nothing is no number) behind a ball, beside one that dims it: what is hidden
+/// stays black, and each ray is counted once.
+#[test]
+fn hidden_points_stay_black_beside_dimmers() {
+    let eye = vec3(0.0, 6.0, 6.0);
+    let projection = Projection::Perspective { fov_deg: 45.0 };
+    let mut scene = Scene::new(Camera { eye, look_at: Vec3::ZERO, up: vec3(0.0, 1.0, 0.0), projection });
+    let bright = Rgb::WHITE * 1e300;
+    scene.lights.push(Light::Point { position: vec3(0.0, 4.0, 0.0), color: bright });
+    let floor = Material { diffuse: 1e20, ambient: 0.3, ..Material::matte("floor", Rgb::WHITE) };
+    let floor = scene.add_material(floor);
+    let solid = scene.add_material(Material::matte("solid", Rgb::WHITE));
+    let veil = scene.add_material(Material { opacity: 0.5, ..Material::matte("veil", Rgb::WHITE) });
+    for (x, material) in [(-1.0, solid), (1.0, veil)] {
+        scene.add(Shape::Sphere { center: vec3(x, 1.0, 0.0), radius: 0.6 }, material);
+    }
+    let corners = [[-9.0, -9.0], [-9.0, 9.0], [9.0, 9.0], [9.0, -9.0]];
+    let outline = corners.map(|[x, z]| vec3(x, 0.0, z)).to_vec();
+    scene.add(Shape::Polygon { outline, holes: Vec::new() }, floor);
+    assert_bundles_are_single_rays(&scene);
+    let settings = Settings { method: Method::Full, ..Settings::new([64, 64]) };
+    let rays = |rays| render_with_layers(&scene, &settings, &Run { rays, ..Run::default() }).stats.rays;
+    assert_eq!(rays(RayOrder::Single), rays(RayOrder::Bundled));
+}

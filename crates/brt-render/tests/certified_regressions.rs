@@ -145,3 +145,15 @@ fn light_through_the_open_end_of_a_tube_brings_no_highlight_outside() {
         assert_eq!(above(&certified(&scene)), 0, "light {height} above the rim");
     }
 }
+
+/// Fills were cut off at black, though files may ask for darker colours.
+#[test]
+fn negative_colors_are_filled_as_they_are() {
+    let mut scene = Scene::new(looking([0.0, 0.0, 5.0], [0.0, 0.0, 0.0], 45.0));
+    scene.background = rgb(-3.0, 0.2, -0.5);
+    let grey = scene.add_material(Material::matte("grey", rgb(0.7, 0.7, 0.7)));
+    scene.add(Shape::Sphere { center: vec3(0.0, 0.0, 0.0), radius: 1.0 }, grey);
+    let picture = certified(&scene);
+    assert_eq!(above(&picture), 0);
+    assert!(filled(&picture) > 0.5);
+}

@@ -189,11 +189,16 @@ impl Tracer<'_> {
         lit: &mut [LaneMask; PACKETS],
     ) -> Box<Shares> {
         let mut shares = Box::new([Lanes([0.0; LANES]); PACKETS]);
-        for (packet, lit) in lit.iter().enumerate().take(seen.packets()) {
-            for lane in lit.lanes() {
+        for (packet, lit) in lit.iter_mut().enumerate().take(seen.packets()) {
+            *lit = LaneMask::from_fn(|lane| {
+                if !lit.has(lane) {
+                    return false;
+                }
                 let (point, from) = (lane_of(&seen.point[packet], lane), seen.met.of(packet * LANES + lane));
-                shares[packet].0[lane] = self.share_of_light(light, point, from).unwrap_or(0.0);
-            }
+                let share = self.share_of_light(light, point, from);
+                shares[packet].0[lane] = share.unwrap_or(0.0);
+                share.is_ok()
+            });
         }
         shares
     }
