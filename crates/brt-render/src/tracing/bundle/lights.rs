@@ -155,7 +155,9 @@ impl Tracer<'_> {
                 return Next::Break(());
             }
             tests += list.len();
-            if hide_in_lanes(scene, seen, light, list, lit) { ANYWHERE } else { Next::Break(()) }
+            let is_over = !hide_in_lanes(scene, seen, light, list, lit);
+            // What hides all may stand behind a dimmer that is still to come.
+            if is_over && !scene.has_dimmers { Next::Break(()) } else { ANYWHERE }
         });
         self.search.count_tests(faces * tests as u64);
         if meets_dimmer || (!is_complete && scene.has_dimmers) {
