@@ -96,3 +96,35 @@ fn hidden_points_stay_black_beside_dimmers() {
     let rays = |rays| render_with_layers(&scene, &settings, &Run { rays, ..Run::default() }).stats.rays;
     assert_eq!(rays(RayOrder::Single), rays(RayOrder::Bundled));
 }
+
+/// Light that grazes edges behind a half-transparent face: single rays start anew behind the face, and what is known of
+/// the way as a whole may differ from that by rounding. Coordinates are such that rays meet edges exactly.
+#[test]
+fn light_that_grazes_edges_behind_dimmers() {
+    let camera = Camera {
+        eye: vec3(0.0, 0.975, 0.0),
+        look_at: Vec3::ZERO,
+        up: vec3(0.0, 0.0, -1.0),
+        projection: Projection::Orthographic { extent: 8.0 },
+    };
+    let mut scene = Scene::new(camera);
+    scene.lights.push(Light::Point { position: vec3(0.0625, 8.0, 0.0625), color: Rgb::WHITE });
+    let floor = scene.add_material(Material { ambient: 0.0, ..Material::matte("floor", Rgb::WHITE) });
+    let solid = scene.add_material(Material::matte("solid", Rgb::WHITE));
+    let veil = scene.add_material(Material { opacity: 0.5, ..Material::matte("veil", Rgb::WHITE) });
+    let square = |x: f64, y: f64, z: f64, side: f64| Shape::Polygon {
+        outline: [[0.0, 0.0], [0.0, side], [side, side], [side, 0.0]]
+            .map(|[a, b]| vec3(x + a, y, z + b))
+            .to_vec(),
+        holes: Vec::new(),
+    };
+    let cells = |count: i32| (0..count * count).map(move |i| (i / count - count / 2, i % count - count / 2));
+    for (x, z) in cells(16).filter(|(x, z)| (x + z) % 2 == 0) {
+        scene.add(square(f64::from(x) / 32.0, 6.0, f64::from(z) / 32.0, 1.0 / 32.0), solid);
+    }
+    for (x, z) in cells(4) {
+        scene.add(square(f64::from(x) * 4.0, 1.3, f64::from(z) * 4.0, 4.0), veil);
+    }
+    scene.add(square(-10.0, 0.0, -10.0, 20.0), floor);
+    assert_bundles_are_single_rays(&scene);
+}
