@@ -1,9 +1,9 @@
 //! Proves that a light is seen from all points of a patch that face it, or from none.
 //!
 //! From: the shaft between the light and the patch; what reaches into it and casts shadows. Nothing: lit. A primitive
-//! that is wholly there and that all ways certainly meet before the light: dark, as is a patch that faces away. (Where it is not certain that a
-//! patch faces the light, a highlight would not end with the surface: open.) A flat primitive with the patch
-//! and the light on one side of its plane is in no way between them.
+//! that all ways certainly meet before the light, and nothing in the way that dims it: dark, as is a patch that faces
+//! away. (Where it is not certain that a patch faces the light, a highlight would not end with the surface: open.) A flat
+//! primitive with the patch and the light on one side of its plane is in no way between them.
 
 use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
 
@@ -59,7 +59,7 @@ pub(in crate::methods::certified) fn lighting(
         is_hidden |= before.all() && !scene.dims(id);
         before.any()
     });
-    if is_hidden {
+    if is_hidden && !meets_dimmer(candidates) {
         return KnownLighting::Hidden;
     }
     // Highlights end where the surface turns away: light that passes an open end must not bring one from behind.
@@ -72,11 +72,17 @@ pub(in crate::methods::certified) fn lighting(
 
 /// One of those found, if any, hides the light. Where one of them only dims it, a list would say too little.
 fn among_found(candidates: &mut Candidates) -> KnownLighting {
-    let scene = candidates.scene;
-    if scene.has_dimmers && candidates.found.iter().any(|&id| scene.dims(id)) {
+    if meets_dimmer(candidates) {
         return KnownLighting::Unknown;
     }
     KnownLighting::Among(candidates.keep_found())
+}
+
+/// May a way to the light lead through something that dims it? Rays start anew behind that, rounded anew, so nothing
+/// that is proven of the way as a whole is proven of them.
+fn meets_dimmer(candidates: &Candidates) -> bool {
+    let scene = candidates.scene;
+    scene.has_dimmers && candidates.found.iter().any(|&id| scene.dims(id))
 }
 
 /// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.
