@@ -21,6 +21,7 @@ use self::certificates::Tolerance;
 use self::follow::{Follower, Outcome};
 use self::known_history::KnownHistory;
 use self::regions::{Region, regions_of};
+use self::rest::Rest;
 use super::worker::TileWorker;
 use crate::products::{Area, Certificate, NOTHING, PreparedScene, Seconds, StageClock, Tile};
 
@@ -64,7 +65,7 @@ pub(crate) fn render_certified(
     let regions = regions_of(&worker.perspective, tile);
     let follower = Follower::new(scene, worker.camera, max_depth);
     let tolerance = Tolerance::new(settings);
-    let mut method = Certified { worker, tile, follower, tolerance, clock };
+    let mut method = Certified { worker, tile, follower, tolerance, clock, rest: Rest::default() };
     let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
     for group in regions.chunk_by(|a, b| a.primitive == b.primitive) {
         method.settle_group(area, group);
@@ -82,6 +83,8 @@ struct Certified<'w, 'a> {
     follower: Follower<'w>,
     tolerance: Tolerance,
     clock: StageClock,
+    /// What is left for the end.
+    rest: Rest,
 }
 
 /// Which samples of an area show the primitive.
@@ -107,6 +110,7 @@ impl Certified<'_, '_> {
         let samples = group.iter().map(|region| region.samples).sum::<u32>();
         if samples < LEAST_PROVEN && !self.goes_alone(primitive, samples) {
             // Left for the end, where it is traced together with its neighbours.
+            group.iter().for_each(|region| self.rest.add(self.tile, &region.area));
             return;
         }
         self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));

@@ -3,7 +3,7 @@
 //! Of these is the picture of a fine mesh made, whose triangles are smaller than a few pixels.
 
 use super::Certified;
-use crate::products::{Certificate, SampleState};
+use crate::products::{Area, Certificate, SampleState, Tile};
 use crate::tracing::MOST_RAYS;
 
 /// Samples are gathered within squares of this side, so that rays that go together stay close.
@@ -12,14 +12,37 @@ const SQUARE: u32 = 32;
 /// Within them by strips of this height, so that as many as go together form a square where all are traced.
 const STRIP: u32 = 8;
 
+/// Squares of a tile that hold samples which are still pending, one bit each: most of a large picture has none.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Rest(u64);
+
+impl Rest {
+    /// Squares in a row; a tile has at most as many rows of them.
+    const PER_ROW: u32 = 8;
+
+    /// Some samples of this area are left.
+    pub(super) fn add(&mut self, tile: &Tile, area: &Area) {
+        for y in (area.y0 - tile.y) / SQUARE..=(area.y1 - 1 - tile.y) / SQUARE {
+            for x in (area.x0 - tile.x) / SQUARE..=(area.x1 - 1 - tile.x) / SQUARE {
+                debug_assert!(x < Self::PER_ROW && y < Self::PER_ROW, "a larger tile");
+                self.0 |= 1 << (y * Self::PER_ROW + x);
+            }
+        }
+    }
+
+    /// Columns and rows of the squares' upper left samples in the tile.
+    fn corners(self) -> impl Iterator<Item = [u32; 2]> {
+        let squares = (0..u64::BITS).filter(move |i| self.0 >> i & 1 == 1);
+        squares.map(|i| [i % Self::PER_ROW * SQUARE, i / Self::PER_ROW * SQUARE])
+    }
+}
+
 impl Certified<'_, '_> {
     /// Traces all samples that are still pending.
     pub(super) fn trace_rest(&mut self) {
         let (width, height) = (self.tile.width, self.tile.height);
-        for top in (0..height).step_by(SQUARE as usize) {
-            for left in (0..width).step_by(SQUARE as usize) {
-                self.trace_rest_of([left, (left + SQUARE).min(width)], [top, (top + SQUARE).min(height)]);
-            }
+        for [left, top] in self.rest.corners() {
+            self.trace_rest_of([left, (left + SQUARE).min(width)], [top, (top + SQUARE).min(height)]);
         }
         self.lap(|seconds| &mut seconds.trace);
     }
