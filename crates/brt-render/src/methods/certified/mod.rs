@@ -20,7 +20,7 @@ use brt_image::{Rgb, Transfer};
 use self::certificates::Tolerance;
 use self::follow::{Follower, Outcome};
 use self::known_history::KnownHistory;
-use self::regions::{Region, regions_of};
+use self::regions::{Region, regions_of, samples_of};
 use self::rest::Rest;
 use super::worker::TileWorker;
 use crate::products::{Area, Certificate, NOTHING, PreparedScene, Seconds, StageClock, Tile};
@@ -50,8 +50,11 @@ const LEAST_EVEN: f64 = 3.0;
 /// Fewer samples are traced: proofs would cost more.
 const LEAST_PROVEN: u32 = 48;
 
-/// As many mirror rays look up together what they meet.
-const LEAST_MIRRORED: u32 = 12;
+/// As many rays look up together what they meet next.
+const LEAST_TOGETHER: u32 = 12;
+
+/// A tile with more small parts than this shows a fine mesh, or something like it.
+const FEW_PARTS: usize = 64;
 
 /// Renders a tile whose perspective image is painted.
 pub(crate) fn render_certified(
@@ -65,9 +68,12 @@ pub(crate) fn render_certified(
     let regions = regions_of(&worker.perspective, tile);
     let follower = Follower::new(scene, worker.camera, max_depth);
     let tolerance = Tolerance::new(settings);
-    let mut method = Certified { worker, tile, follower, tolerance, clock, rest: Rest::default() };
+    let groups = || regions.chunk_by(|a, b| a.primitive == b.primitive);
+    let has_few_parts = groups().filter(|group| samples_of(group) < LEAST_PROVEN).count() <= FEW_PARTS;
+    let rest = Rest::default();
+    let mut method = Certified { worker, tile, follower, tolerance, clock, has_few_parts, rest };
     let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
-    for group in regions.chunk_by(|a, b| a.primitive == b.primitive) {
+    for group in groups() {
         method.settle_group(area, group);
     }
     method.lap(|seconds| &mut seconds.select);
@@ -83,6 +89,8 @@ struct Certified<'w, 'a> {
     follower: Follower<'w>,
     tolerance: Tolerance,
     clock: StageClock,
+    /// Are there few primitives that it shows little of?
+    has_few_parts: bool,
     /// What is left for the end.
     rest: Rest,
 }
@@ -107,7 +115,7 @@ impl Certified<'_, '_> {
             let background = crate::tracing::constant(self.worker.tracer.color_of_nothing());
             return self.fill(area, Parts::Regions(group), primitive, &background);
         }
-        let samples = group.iter().map(|region| region.samples).sum::<u32>();
+        let samples = samples_of(group);
         if samples < LEAST_PROVEN && !self.goes_alone(primitive, samples) {
             // Left for the end, where it is traced together with its neighbours.
             group.iter().for_each(|region| self.rest.add(self.tile, &region.area));
@@ -116,11 +124,13 @@ impl Certified<'_, '_> {
         self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));
     }
 
-    /// Is it worth while to trace so few samples of a primitive without their neighbours? What it mirrors lies together.
+    /// Is it worth while to trace so few samples of a primitive without their neighbours? What is mirrored or lit lies
+    /// together then; parts of a mesh lie together anyway, but for what they mirror.
     fn goes_alone(&self, primitive: u32, samples: u32) -> bool {
         let scene = self.follower.scene;
         let material = scene.infos[primitive as usize].material;
-        samples >= LEAST_MIRRORED && scene.materials[material as usize].reflection > 0.0
+        let mirrors = scene.materials[material as usize].reflection > 0.0;
+        samples >= LEAST_TOGETHER && (mirrors || self.has_few_parts)
     }
 
     fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {
@@ -128,7 +138,7 @@ impl Certified<'_, '_> {
             Parts::Regions([one]) if one.area == area && one.is_whole() => Parts::All,
             parts => parts,
         };
-        if matches!(parts, Parts::Regions(few) if few.iter().map(|r| r.samples).sum::<u32>() < LEAST_PROVEN) {
+        if matches!(parts, Parts::Regions(few) if samples_of(few) < LEAST_PROVEN) {
             return self.trace(area, parts, inherited, Certificate::Size);
         }
         let mark = self.follower.candidates.lists.mark();

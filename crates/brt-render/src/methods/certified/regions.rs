@@ -17,6 +17,11 @@ impl Region {
     }
 }
 
+/// How many samples regions have together.
+pub(super) fn samples_of(regions: &[Region]) -> u32 {
+    regions.iter().map(|region| region.samples).sum()
+}
+
 /// The regions of a tile, by primitive; those of one in the order of the division.
 pub(super) fn regions_of(image: &PerspectiveImage, tile: &Tile) -> Vec<Region> {
     let mut regions = Vec::with_capacity(image.areas.len());
