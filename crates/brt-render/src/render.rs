@@ -123,7 +123,7 @@ pub(crate) fn render_tile(
     let (filter, samples) = (job.settings.filter, &worker.samples.color);
     let colors = (filter.margin() > 0).then(|| reduce(filter, job.grid, tile, samples));
     if colors.is_none() {
-        reduce_into(filter, job.grid, tile, samples, rows);
+        reduce_into(job.grid, tile, samples, rows);
     }
     let alpha = tile_alpha(job, worker, tile);
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();

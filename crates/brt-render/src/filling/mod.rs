@@ -1,5 +1,9 @@
 //! Filling: colours of samples that are not traced, from those of the four chosen ones.
 
+mod linear;
+
+pub(crate) use linear::LinearFill;
+
 use crate::products::{Block, SampleState, Tile, TileSamples};
 
 /// Fills all samples of a block that have no colour yet, bilinearly from its corners.

@@ -1,5 +1,6 @@
 //! Reconstruction filters: how samples become pixels.
 
+use super::mean::means;
 use crate::products::{SampleGrid, Tile};
 
 /// How samples become pixels. Weights of a pixel sum up to 1.
@@ -41,23 +42,18 @@ pub(crate) struct TileShares<const N: usize> {
     pub(crate) values: Vec<[f32; N]>,
 }
 
-/// Applies a filter without margin to a tile, whose part of the picture's rows is given.
+/// Applies the box filter to a tile, whose part of the picture's rows is given.
 pub(crate) fn reduce_into(
-    filter: Filter,
     grid: &SampleGrid,
     tile: &Tile,
     samples: &[[f32; 3]],
     rows: &mut [&mut [[f32; 3]]],
 ) {
-    if grid.per_side == 1 {
-        for (row, samples) in rows.iter_mut().zip(samples.chunks_exact(tile.width as usize)) {
-            row.copy_from_slice(samples);
-        }
-        return;
+    if grid.per_side > 1 {
+        return means(grid, tile, samples, |row, pixels| rows[row].copy_from_slice(pixels));
     }
-    let TileShares { width, values, .. } = reduce(filter, grid, tile, samples);
-    for (row, colors) in rows.iter_mut().zip(values.chunks_exact(width as usize)) {
-        row.copy_from_slice(colors);
+    for (row, samples) in rows.iter_mut().zip(samples.chunks_exact(tile.width as usize)) {
+        row.copy_from_slice(samples);
     }
 }
 
@@ -72,8 +68,10 @@ pub(crate) fn reduce<const N: usize>(
     let margin = filter.margin();
     let (width, height) = (tile.width / n + 2 * margin, tile.height / n + 2 * margin);
     let (x, y) = (i64::from(tile.x / n) - i64::from(margin), i64::from(tile.y / n) - i64::from(margin));
-    if n == 1 && filter == Filter::Box {
-        return TileShares { x, y, width, values: samples.to_vec() };
+    if filter == Filter::Box {
+        let mut values = Vec::with_capacity((width * height) as usize);
+        means(grid, tile, samples, |_, pixels| values.extend_from_slice(pixels));
+        return TileShares { x, y, width, values };
     }
     // Separable: first along rows of samples, then down the columns.
     let along = Axis::new(filter, n, x, width, tile.width, grid.width);

@@ -3,6 +3,7 @@
 mod band;
 mod filter;
 mod layers;
+mod mean;
 mod sink;
 
 pub(crate) use band::{BandAssembler, FullTile, TilePicture};

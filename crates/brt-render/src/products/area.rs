@@ -39,6 +39,16 @@ impl Area {
             .filter(|part| part.x0 < part.x1 && part.y0 < part.y1)
     }
 
+    /// The smallest area around both.
+    pub(crate) fn joined(&self, other: &Self) -> Self {
+        Self {
+            x0: self.x0.min(other.x0),
+            y0: self.y0.min(other.y0),
+            x1: self.x1.max(other.x1),
+            y1: self.y1.max(other.y1),
+        }
+    }
+
     /// Column and row of all its samples as models: from −1 at the first sample to 1 at the last.
     pub(crate) fn coordinates(&self) -> [Taylor; 2] {
         // Halves of small integers: exact.

@@ -134,6 +134,11 @@ impl Certified<'_, '_> {
     }
 
     fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {
+        // What lies around the parts would only spoil the bounds.
+        let area = match parts {
+            Parts::Regions(regions) => regions::smallest_around(regions, area),
+            Parts::All => area,
+        };
         let parts = match parts {
             Parts::Regions([one]) if one.area == area && one.is_whole() => Parts::All,
             parts => parts,

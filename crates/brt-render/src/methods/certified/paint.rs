@@ -6,6 +6,7 @@ use brt_image::Rgb;
 use super::known_history::KnownHistory;
 use super::regions::Region;
 use super::{Certified, Parts};
+use crate::filling::LinearFill;
 use crate::products::{Area, Certificate, SampleState};
 use crate::tracing::{MOST_RAYS, Sight};
 
@@ -113,22 +114,22 @@ impl Certified<'_, '_> {
         self.note_histories(area, parts, primitive);
         let fill = LinearFill::new(area, color, self.follower.scene.darkest);
         self.for_each_area(area, parts, |this, part, is_whole| {
-            for y in part.y0..part.y1 {
-                let start = this.tile.index(part.x0 - this.tile.x, y - this.tile.y);
-                let run = start..start + (part.x1 - part.x0) as usize;
-                let mut row = fill.row(part.x0, y);
+            let (x, y) = (part.x0 - this.tile.x, part.y0 - this.tile.y);
+            let starts = (0..part.y1 - part.y0).map(|row| this.tile.index(x, y + row));
+            let runs = starts.map(|start| start..start + (part.x1 - part.x0) as usize);
+            for (row, run) in (part.y0..).zip(runs) {
                 let samples = &mut this.worker.samples;
-                let cells = samples.color[run.clone()].iter_mut().zip(&mut samples.state[run.clone()]);
+                let (color, state) = (&mut samples.color[run.clone()], &mut samples.state[run.clone()]);
                 if is_whole {
-                    for (color, state) in cells {
-                        (*color, *state) = (row.next(), SampleState::Filled);
-                    }
+                    fill.fill([part.x0, row], color);
+                    state.fill(SampleState::Filled);
                     continue;
                 }
-                for ((color, state), shown) in cells.zip(&this.worker.perspective.primitive[run]) {
-                    let here = row.next();
-                    if *shown == primitive {
-                        (*color, *state) = (here, SampleState::Filled);
+                let start = fill.start([part.x0, row]);
+                let shown = &this.worker.perspective.primitive[run];
+                for (i, (color, state)) in color.iter_mut().zip(state).enumerate() {
+                    if shown[i] == primitive {
+                        (*color, *state) = (fill.color(start, i), SampleState::Filled);
                     }
                 }
             }
@@ -153,57 +154,5 @@ impl Batch {
     fn add(&mut self, x: u32, y: u32) {
         self.samples[self.count] = [x, y];
         self.count += 1;
-    }
-}
-
-/// A colour linear over an area.
-struct LinearFill {
-    area: Area,
-    color: [Taylor; 3],
-    per_column: [f64; 3],
-    per_row: [f64; 3],
-    /// No colour is darker: where the line is, it is off by at least as much as this.
-    darkest: f32,
-}
-
-impl LinearFill {
-    fn new(area: Area, color: &Rgb<Taylor>, darkest: f32) -> Self {
-        let step =
-            |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
-        let color = [color.r, color.g, color.b];
-        Self {
-            area,
-            color,
-            per_column: color.map(|c| step(c.u, area.x1 - area.x0)),
-            per_row: color.map(|c| step(c.v, area.y1 - area.y0)),
-            darkest,
-        }
-    }
-
-    /// The colours of a row from column `x` on.
-    fn row(&self, x: u32, y: u32) -> RowFill {
-        let (right, down) = (f64::from(x - self.area.x0), f64::from(y - self.area.y0));
-        let start = |i: usize| {
-            let Taylor { c, u, v, .. } = self.color[i];
-            (c - u - v + self.per_column[i] * right + self.per_row[i] * down) as f32
-        };
-        let step = self.per_column.map(|s| s as f32);
-        RowFill { start: std::array::from_fn(start), step, at: 0.0, darkest: self.darkest }
-    }
-}
-
-struct RowFill {
-    start: [f32; 3],
-    step: [f32; 3],
-    at: f32,
-    darkest: f32,
-}
-
-impl RowFill {
-    #[inline(always)]
-    fn next(&mut self) -> [f32; 3] {
-        let color = std::array::from_fn(|i| (self.start[i] + self.step[i] * self.at).max(self.darkest));
-        self.at += 1.0;
-        color
     }
 }

@@ -63,6 +63,17 @@ pub(super) fn part_of(region: &Region, quarter: Area, image: &PerspectiveImage, 
     Region { area: quarter, samples, ..*region }
 }
 
+/// The smallest part of an area's division that holds all of the regions.
+pub(super) fn smallest_around(regions: &[Region], mut area: Area) -> Area {
+    let around = regions.iter().map(|region| region.area).reduce(|a, b| a.joined(&b)).unwrap_or(area);
+    while area != around
+        && let Some(quarter) = area.quarters().find(|quarter| quarter.contains(&around))
+    {
+        area = quarter;
+    }
+    area
+}
+
 /// Those regions that lie in a quarter of the area that they divide.
 pub(super) fn inside(regions: &[Region], quarter: Area) -> &[Region] {
     let is_inside = |region: &Region| quarter.contains(&region.area);
