@@ -68,6 +68,14 @@ impl Shaft {
         Self::around(origin, direction, end)?.widened(BOX_MARGIN * (size + sum(origin, center) + way))
     }
 
+    /// The same without what lies below all points of a patch that the rays leave or arrive at, all of them on the side of
+    /// this normal.
+    pub fn above_points(mut self, normal: Vec3, points: &Vec3<Taylor>) -> Option<Self> {
+        let offset = self.margin() * normal.length() - points.along(normal).range()[0];
+        self.push(HalfSpace { normal: -normal, offset }, reach(normal, points))?;
+        Some(self)
+    }
+
     /// Adds the half-space with this normal that all origins are in.
     fn add(&mut self, normal: Vec3, origin: &Vec3<Taylor>) -> Option<()> {
         let offset = origin.along(normal).range()[1];

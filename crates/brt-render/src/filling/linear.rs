@@ -71,7 +71,12 @@ impl LinearFill {
         from_fn(|i| (start[i] + self.along[column * CHANNELS + i]).max(self.darkest))
     }
 
-    /// The colour at a sample.
+    /// The colour of a sample.
+    pub(crate) fn at(&self, sample: [u32; 2]) -> [f32; CHANNELS] {
+        self.start(sample).map(|channel| channel.max(self.darkest))
+    }
+
+    /// The colour at a sample, however dark.
     pub(crate) fn start(&self, [x, y]: [u32; 2]) -> [f32; CHANNELS] {
         let (right, down) = (f64::from(x - self.area.x0), f64::from(y - self.area.y0));
         from_fn(|i| {

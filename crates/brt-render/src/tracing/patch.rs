@@ -42,6 +42,24 @@ impl<'a> Patch<'a> {
         Some(Self { primitive, point, normal, viewer, material })
     }
 
+    /// Where rays meet at distance `t` what shades by a normal that is known from elsewhere; on the viewer's side, and of
+    /// unit length.
+    pub(crate) fn with_normal(
+        scene: &'a PreparedScene,
+        ray: &Ray<Taylor>,
+        primitive: u32,
+        t: Taylor,
+        normal: Vec3<Taylor>,
+    ) -> Option<Self> {
+        let is_known = |x: Taylor| x.c.is_finite() && x.e.is_finite();
+        if ![t, normal.x, normal.y, normal.z].into_iter().all(is_known) {
+            return None;
+        }
+        let viewer = -(ray.direction * ray.dd.inverse_sqrt());
+        let material = &scene.materials[scene.infos[primitive as usize].material as usize];
+        Some(Self { primitive, point: ray.at(t), normal, viewer, material })
+    }
+
     /// The mirror rays.
     pub(crate) fn mirror_ray(&self, ray: &Ray<Taylor>) -> Ray<Taylor> {
         Ray::new(self.point, mirrored(ray.direction, self.normal))

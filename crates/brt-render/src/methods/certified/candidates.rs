@@ -5,7 +5,7 @@ use brt_geometry::{Shaft, SpatialIndex, Taylor, Vec3};
 use crate::products::PreparedScene;
 
 /// Longer lists are not kept: smaller blocks have shorter ones.
-const MOST_LISTED: usize = 32;
+pub(super) const MOST_LISTED: usize = 32;
 
 /// A list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,15 +70,21 @@ impl<'a> Candidates<'a> {
     }
 
     /// Finds what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether that is everything
-    /// there is.
-    pub(super) fn find(&mut self, shaft: &Shaft, from: Option<List>, passes: impl Fn(u32) -> bool) -> bool {
+    /// there is, which it is not where there are more than `most`.
+    pub(super) fn find(
+        &mut self,
+        shaft: &Shaft,
+        from: Option<List>,
+        most: usize,
+        passes: impl Fn(u32) -> bool,
+    ) -> bool {
         let Self { scene, lists, found } = self;
         found.clear();
         let mut visit = |id: u32| {
             if passes(id) && !shaft.misses(&scene.primitives[id as usize]) {
                 found.push(id);
             }
-            found.len() <= MOST_LISTED
+            found.len() <= most
         };
         if let Some(list) = from {
             return lists.get(list).iter().all(|&id| visit(id));

@@ -13,6 +13,7 @@ mod known_history;
 mod paint;
 mod regions;
 mod rest;
+mod sheet;
 
 use brt_geometry::Taylor;
 use brt_image::{Rgb, Transfer};
@@ -116,8 +117,9 @@ impl Certified<'_, '_> {
             return self.fill(area, Parts::Regions(group), primitive, &background);
         }
         let samples = samples_of(group);
-        if samples < LEAST_PROVEN && !self.goes_alone(primitive, samples) {
-            // Left for the end, where it is traced together with its neighbours.
+        let is_left = samples < LEAST_PROVEN && !self.goes_alone(primitive, samples);
+        if is_left || sheet::is_of_sheet(self.follower.scene, primitive) {
+            // Left for the end, where it is filled or traced together with its neighbours.
             group.iter().for_each(|region| self.rest.add(self.tile, &region.area));
             return;
         }

@@ -42,9 +42,13 @@ impl Certified<'_, '_> {
     pub(super) fn trace_rest(&mut self) {
         let (width, height) = (self.tile.width, self.tile.height);
         for [left, top] in self.rest.corners() {
-            self.trace_rest_of([left, (left + SQUARE).min(width)], [top, (top + SQUARE).min(height)]);
+            let (x, y) = (self.tile.x, self.tile.y);
+            let (right, bottom) = ((left + SQUARE).min(width), (top + SQUARE).min(height));
+            self.fill_sheets(Area { x0: x + left, y0: y + top, x1: x + right, y1: y + bottom });
+            self.lap(|seconds| &mut seconds.select);
+            self.trace_rest_of([left, right], [top, bottom]);
+            self.lap(|seconds| &mut seconds.trace);
         }
-        self.lap(|seconds| &mut seconds.trace);
     }
 
     fn trace_rest_of(&mut self, [left, right]: [u32; 2], [top, bottom]: [u32; 2]) {

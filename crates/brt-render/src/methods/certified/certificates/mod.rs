@@ -6,7 +6,7 @@ mod tolerance;
 mod visibility;
 
 pub(super) use checker::cell_color;
-pub(super) use shadow::lighting;
+pub(super) use shadow::{is_beside, lighting, shaft_of};
 pub(super) use tolerance::Tolerance;
 pub(super) use visibility::first_seen;
 

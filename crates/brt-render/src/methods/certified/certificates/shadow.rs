@@ -8,7 +8,7 @@
 use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
 
 use super::MOST_CLASSIFIED;
-use crate::methods::certified::candidates::Candidates;
+use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
 use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
@@ -37,7 +37,7 @@ pub(in crate::methods::certified) fn lighting(
         let is_itself = id == patch.primitive && primitive.is_flat();
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
-    if !candidates.find(&shaft, inherited, may_hide) {
+    if !candidates.find(&shaft, inherited, MOST_LISTED, may_hide) {
         return known;
     }
     if candidates.found.len() > MOST_CLASSIFIED {
@@ -86,7 +86,7 @@ fn meets_dimmer(candidates: &Candidates) -> bool {
 }
 
 /// All ways between the patch and the light. Those to a point are taken from there: they spread towards the patch.
-fn shaft_of(
+pub(in crate::methods::certified) fn shaft_of(
     candidates: &Candidates,
     patch: &Patch,
     light: &PreparedLight,
@@ -99,7 +99,7 @@ fn shaft_of(
 }
 
 /// Do a patch and all ways from it to a light lie on one side of a flat primitive?
-fn is_beside(primitive: &Primitive, points: &Vec3<Taylor>, light: &PreparedLight) -> bool {
+pub(in crate::methods::certified) fn is_beside(primitive: &Primitive, points: &Vec3<Taylor>, light: &PreparedLight) -> bool {
     let Some(plane) = primitive.plane() else { return false };
     let heights = points.along(plane.normal);
     let [lo, hi] = heights.range().map(|height| height - plane.distance);

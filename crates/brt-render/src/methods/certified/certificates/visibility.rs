@@ -7,7 +7,7 @@
 use brt_geometry::{Hit, Mask, RayBlock, Real, Taylor};
 
 use super::MOST_CLASSIFIED;
-use crate::methods::certified::candidates::Candidates;
+use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownSight;
 use crate::products::NOTHING;
 use crate::tracing::start;
@@ -29,7 +29,7 @@ pub(in crate::methods::certified) fn first_seen(
         return known;
     };
     let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
-    if !candidates.find(&shaft, inherited, |id| !cannot_be_left(id)) {
+    if !candidates.find(&shaft, inherited, MOST_LISTED, |id| !cannot_be_left(id)) {
         return known;
     }
     if candidates.found.len() > MOST_CLASSIFIED {

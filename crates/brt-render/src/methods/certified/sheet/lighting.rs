@@ -1,0 +1,150 @@
+//! Proves that all points of a sheet see a light, or that none does.
+//!
+//! From: the shaft between the light and the sheet, as for any patch ([`super::super::certificates`]), without what lies
+//! below the sheet. A triangle B that it touches, the sheet's own ones among them, hides no point of a triangle A if
+//! B lies below the plane of A; or if it lies beyond a border of A, and light rises faster than B does on its way there. As
+//! neighbours begin at that border, the point must be clear of it. (`q = p + s·L`, of height `s·rise` over A, is
+//! `s·nearer` less the point's clearance beyond the border: too near for its height.)
+
+use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Real, Taylor, Vec3};
+
+use super::facet::{BORDERS, Facet, Facets, extremes, sum};
+use super::{LEAST_SINE, greatest_length};
+use crate::methods::certified::candidates::Candidates;
+use crate::methods::certified::certificates::{is_beside, shaft_of};
+use crate::products::PreparedLight;
+use crate::tracing::{LightWays, Patch, start};
+
+/// More primitives than these are not looked at: smaller blocks have fewer.
+const MOST_IN_THE_WAY: usize = 96;
+
+/// How light climbs that comes no nearer: higher than anything. Finite, so that products with 0 are 0.
+const AWAY: f64 = 1e300;
+
+/// How all points of a sheet see a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum LightsOfSheet {
+    Seen,
+    Hidden,
+}
+
+/// `None` where neither is proven.
+pub(super) fn lighting(
+    candidates: &mut Candidates,
+    facets: &Facets,
+    patch: &Patch,
+    light: &PreparedLight,
+    ways: &LightWays,
+) -> Option<LightsOfSheet> {
+    if !patch.faces(ways)? || all_turn_away(facets, ways) {
+        return Some(LightsOfSheet::Hidden);
+    }
+    let climbs = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect::<Option<Vec<_>>>()?;
+    let scene = candidates.scene;
+    let up = facets.all[0].normal;
+    let shaft = shaft_of(candidates, patch, light, ways)?.above_points(up, &patch.point)?;
+    let may_hide = |id: u32| {
+        scene.infos[id as usize].casts_shadow
+            && !is_beside(&scene.primitives[id as usize], &patch.point, light)
+    };
+    if !candidates.find(&shaft, None, MOST_IN_THE_WAY, may_hide) {
+        return None;
+    }
+    let ray = Ray::new(patch.point, ways.towards);
+    let block = match light {
+        PreparedLight::Point { position, .. } => RayBlock::to_point(ray, *position),
+        PreparedLight::Directional { .. } => RayBlock::new(ray),
+    };
+    for &id in &candidates.found {
+        let primitive = &scene.primitives[id as usize];
+        if Blocker::of(id, primitive, facets, ways).is_some_and(|blocker| blocker.is_clear_of_all(facets, &climbs)) {
+            continue;
+        }
+        if facets.position(id).is_some() {
+            return None;
+        }
+        let hit = block.first_hit(primitive, start(id, patch.primitive));
+        let before = match ways.t_max {
+            t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
+            _ => hit.found,
+        };
+        if before.all() && !scene.has_dimmers {
+            return Some(LightsOfSheet::Hidden);
+        }
+        if before.any() {
+            return None;
+        }
+    }
+    Some(LightsOfSheet::Seen)
+}
+
+/// Do all triangles turn away from the light?
+fn all_turn_away(facets: &Facets, ways: &LightWays) -> bool {
+    facets.all.iter().all(|facet| ways.towards.along(facet.normal).range()[1] < 0.0)
+}
+
+/// How light climbs from a triangle: per border, the least height that it gains while it comes one unit nearer to what is
+/// beyond that border.
+struct Climb([f64; BORDERS]);
+
+impl Climb {
+    /// `None` where light may run along the triangle.
+    fn of(facet: &Facet, ways: &LightWays) -> Option<Self> {
+        let [rise, _] = ways.towards.along(facet.normal).range();
+        if rise <= least_rise(ways) {
+            return None;
+        }
+        let over = |(across, _): (Vec3, f64)| {
+            let [_, nearer] = ways.towards.along(across).range();
+            if nearer > 0.0 { rise / nearer } else { AWAY }
+        };
+        Some(Self(facet.borders.map(over)))
+    }
+}
+
+fn least_rise(ways: &LightWays) -> f64 {
+    LEAST_SINE * greatest_length(ways.towards.length_squared())
+}
+
+/// A triangle in the way to a light.
+struct Blocker {
+    id: u32,
+    corners: [Vec3; 3],
+}
+
+impl Blocker {
+    /// `None` where light may run along it, or it is known less well than the sheet.
+    fn of(id: u32, primitive: &Primitive, facets: &Facets, ways: &LightWays) -> Option<Self> {
+        let Primitive::Triangle(triangle) = primitive else { return None };
+        let corners = triangle.corners;
+        let [lo, hi] = ways.towards.along(triangle.plane.normal).range();
+        let is_steep = lo.max(-hi) > least_rise(ways);
+        let is_known = COORDINATE_ROUNDING * corners.map(sum).iter().sum::<f64>() <= 4.0 * facets.slack;
+        (is_steep && is_known).then_some(Self { id, corners })
+    }
+
+    fn is_clear_of_all(&self, facets: &Facets, climbs: &[Climb]) -> bool {
+        let slack = 4.0 * facets.slack;
+        // A flat triangle does not hide itself.
+        facets
+            .all
+            .iter()
+            .zip(climbs)
+            .all(|(facet, climb)| facet.id == self.id || self.is_clear_of(facet, climb, slack))
+    }
+
+    /// Does it hide no point of a triangle that is clear of its borders?
+    fn is_clear_of(&self, facet: &Facet, climb: &Climb, slack: f64) -> bool {
+        let heights = self.corners.map(|q| facet.normal.dot(q) - facet.distance);
+        let [_, highest] = extremes(heights);
+        if highest < -slack {
+            return true;
+        }
+        facet.borders.iter().zip(climb.0).any(|((across, distance), climb)| {
+            self.corners.iter().zip(heights).all(|(q, height)| {
+                let beyond = across.dot(*q) - distance;
+                beyond >= -slack && height <= climb * beyond.max(0.0) + slack
+            })
+        })
+    }
+}
