@@ -117,7 +117,7 @@ impl Shaft {
     }
 
     /// How far a point may be beside where it is exactly.
-    pub(crate) fn margin(&self) -> f64 {
+    pub fn margin(&self) -> f64 {
         self.margin
     }
 
@@ -136,6 +136,11 @@ impl Shaft {
             Primitive::Cylinder(cylinder) => self.misses_box(&cylinder.bounds()),
             Primitive::Cone(cone) => self.misses_box(&cone.bounds()),
         }
+    }
+
+    /// Is an edge certainly outside?
+    pub fn misses_edge(&self, from: Vec3, to: Vec3) -> bool {
+        self.misses_hull(&[from, to])
     }
 
     fn misses_hull(&self, points: &[Vec3]) -> bool {

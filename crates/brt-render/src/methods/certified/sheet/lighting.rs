@@ -6,12 +6,12 @@
 //! neighbours begin at that border, the point must be clear of it. (`q = p + s·L`, of height `s·rise` over A, is
 //! `s·nearer` less the point's clearance beyond the border: too near for its height.)
 
-use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Real, Taylor, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
 
 use super::facet::{BORDERS, Facet, Facets, extremes, sum};
 use super::{LEAST_SINE, greatest_length};
 use crate::methods::certified::candidates::Candidates;
-use crate::methods::certified::certificates::{is_beside, shaft_of};
+use crate::methods::certified::certificates::{is_beside, is_screened, shaft_of};
 use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
 
@@ -39,43 +39,54 @@ pub(super) fn lighting(
     if !patch.faces(ways)? || all_turn_away(facets, ways) {
         return Some(LightsOfSheet::Hidden);
     }
-    let climbs = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect::<Option<Vec<_>>>()?;
+    let shaft = shaft_of(candidates, patch, light, ways)?;
+    if is_open(candidates, facets, patch, light, ways, &shaft) {
+        return Some(LightsOfSheet::Seen);
+    }
+    is_screened(candidates, &shaft, patch, light, ways).then_some(LightsOfSheet::Hidden)
+}
+
+/// Does nothing hide the light?
+fn is_open(
+    candidates: &mut Candidates,
+    facets: &Facets,
+    patch: &Patch,
+    light: &PreparedLight,
+    ways: &LightWays,
+    shaft: &Shaft,
+) -> bool {
+    let climbs: Option<Vec<_>> = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect();
+    let shaft = shaft.above_points(facets.all[0].normal, &patch.point);
+    let (Some(climbs), Some(shaft)) = (climbs, shaft) else { return false };
     let scene = candidates.scene;
-    let up = facets.all[0].normal;
-    let shaft = shaft_of(candidates, patch, light, ways)?.above_points(up, &patch.point)?;
     let may_hide = |id: u32| {
         scene.infos[id as usize].casts_shadow
             && !is_beside(&scene.primitives[id as usize], &patch.point, light)
     };
     if !candidates.find(&shaft, None, MOST_IN_THE_WAY, may_hide) {
-        return None;
+        return false;
     }
     let ray = Ray::new(patch.point, ways.towards);
     let block = match light {
         PreparedLight::Point { position, .. } => RayBlock::to_point(ray, *position),
         PreparedLight::Directional { .. } => RayBlock::new(ray),
     };
-    for &id in &candidates.found {
+    candidates.found.iter().all(|&id| {
         let primitive = &scene.primitives[id as usize];
-        if Blocker::of(id, primitive, facets, ways).is_some_and(|blocker| blocker.is_clear_of_all(facets, &climbs)) {
-            continue;
+        let blocker = Blocker::of(id, primitive, facets, ways);
+        if blocker.is_some_and(|blocker| blocker.is_clear_of_all(facets, &climbs)) {
+            return true;
         }
         if facets.position(id).is_some() {
-            return None;
+            return false;
         }
         let hit = block.first_hit(primitive, start(id, patch.primitive));
         let before = match ways.t_max {
             t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
             _ => hit.found,
         };
-        if before.all() && !scene.has_dimmers {
-            return Some(LightsOfSheet::Hidden);
-        }
-        if before.any() {
-            return None;
-        }
-    }
-    Some(LightsOfSheet::Seen)
+        !before.any()
+    })
 }
 
 /// Do all triangles turn away from the light?
