@@ -111,6 +111,18 @@ fn two_thousand_mutations() {
     }
 }
 
+/// What fuzzers found, cut down.
+#[test]
+fn files_that_once_made_us_panic() {
+    let files: [(Format, &[u8]); 1] = [
+        // The first colour comes after a face of the same mesh.
+        (Format::Obj, b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 0 1 1 0 0\nf 1 2 4\n"),
+    ];
+    for (format, bytes) in files {
+        survives(format, bytes);
+    }
+}
+
 #[test]
 fn the_wrong_reader() {
     for (_, bytes) in files() {
