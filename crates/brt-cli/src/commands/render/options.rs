@@ -77,7 +77,7 @@ pub(crate) struct Options {
     /// Write no picture: for timing
     #[arg(long, conflicts_with_all = ["out", "output", "layers", "bits", "compression"])]
     pub(crate) no_save: bool,
-    /// Say nothing but errors
+    /// Say nothing but errors, and what `--verify` finds above its limit
     #[arg(short, long)]
     pub(crate) quiet: bool,
     /// Print the summary even where nobody looks, and more of it
