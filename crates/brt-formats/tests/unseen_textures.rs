@@ -42,6 +42,13 @@ fn ply_files() {
 }
 
 #[test]
+fn vrml_shapes() {
+    let text = "#VRML V2.0 utf8\nShape {\nappearance Appearance { texture ImageTexture { url \"a.png\" } }\n\
+                geometry Sphere { }\n}\n";
+    assert_eq!(said(Format::Vrml, text), ["3: textures ignored"]);
+}
+
+#[test]
 fn toml_objects() {
     let data = base64::engine::general_purpose::STANDARD.encode(png(2, 2, &FOUR));
     let mesh = "[[object]]\ntype = \"mesh\"\nmaterial = \"m\"\npositions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n\
