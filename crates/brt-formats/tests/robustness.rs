@@ -124,6 +124,29 @@ fn files_that_once_made_us_panic() {
 }
 
 #[test]
+fn nodes_that_use_each_other_do_not_overflow_the_stack() {
+    let chain = "DEF A Group { children USE A }\n".repeat(200_000);
+    let text =
+        format!("#VRML V2.0 utf8\nDEF A Group {{ children Shape {{ geometry Sphere {{ }} }} }}\n{chain}");
+    let error = parse(Format::Vrml, text.as_bytes(), &Limits::default()).unwrap_err().to_string();
+    assert_eq!(error, "nodes nest deeper than 64");
+}
+
+#[test]
+fn many_fields_are_looked_up_in_time() {
+    let fields = |count: usize| (0..count).map(|i| format!("f{i} 1\n")).collect::<String>();
+    let text = format!(
+        "#VRML V2.0 utf8\nShape {{ geometry IndexedFaceSet {{ coord Coordinate {{ point [0 0 0 1 0 0 0 1 0] }} \
+         coordIndex [{}] {} }} }}",
+        "0 1 2 -1 ".repeat(200_000),
+        fields(200_000)
+    );
+    let start = Instant::now();
+    survives(Format::Vrml, text.as_bytes());
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+}
+
+#[test]
 fn a_few_words_do_not_fill_the_memory() {
     let gltf = br#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
