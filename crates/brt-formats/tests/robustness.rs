@@ -4,7 +4,7 @@ mod common;
 
 use std::time::{Duration, Instant};
 
-use brt_formats::{Format, Limits, ParseError, parse};
+use brt_formats::{Format, Limits, ParseError, parse, write_toml};
 use common::{EVERYTHING, FOUR, NFF, png};
 
 /// Small files with much in them.
@@ -156,6 +156,21 @@ fn a_few_words_do_not_fill_the_memory() {
         "buffers":[{"byteLength":15,"uri":"data:;base64,AAAAAAAAAAAAAAAAAAAA"}]}"#;
     let error = parse(Format::Gltf, gltf, &Limits::default()).unwrap_err().to_string();
     assert_eq!(error, "accessor 0 has 49999999 rows, but no data for most of them");
+}
+
+#[test]
+fn normals_that_are_no_numbers_are_computed_anew() {
+    let head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+                property float z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\n\
+                property list uchar uchar vertex_indices\nend_header\n";
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0_f32]];
+    let numbers = points.into_iter().flat_map(|[x, y, z]| [x, y, z, f32::NAN, 0.0, 1.0]);
+    let mut ply: Vec<u8> = head.bytes().chain(numbers.flat_map(f32::to_le_bytes)).collect();
+    ply.extend([3, 0, 1, 2]);
+    let (scene, report) = parse(Format::Ply, &ply, &Limits::default()).unwrap();
+    let again = parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap();
+    assert_eq!(again.0, scene);
+    assert!(report.diagnostics[0].message.contains("normals that have no direction"), "{report:?}");
 }
 
 #[test]
