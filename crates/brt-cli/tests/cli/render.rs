@@ -204,6 +204,10 @@ fn a_quiet_verification_speaks_of_pixels_above_the_limit_only() {
     let (loud, quiet) = (bench.done(&border), bench.done(&format!("{border} -q")));
     assert!(!loud.text().ends_with(", 0 above 1\n"), "{}", loud.text());
     assert_eq!((quiet.text(), quiet.errors.as_str()), (loud.text(), ""));
+    // What ends with 3 says why.
+    let over = bench.run(&format!("render ball.toml {QUICK} -q --tolerance 8 --max-error 0"));
+    assert_eq!(over.code, Some(3));
+    assert!(over.text().ends_with(", 0 above 8\n"), "{}", over.text());
 }
 
 #[test]

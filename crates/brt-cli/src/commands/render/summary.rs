@@ -18,7 +18,7 @@ pub(super) fn show(
     let to_stdout = targets.picture.target == Some(Target::Stdout)
         || targets.stats.as_deref().is_some_and(crate::scene_input::is_dash);
     if let (true, Some(found)) = (options.verifies(), &rendered.verification)
-        && (!options.quiet || found.above > 0)
+        && (!options.quiet || found.above > 0 || options.is_over_limit(found.comparison.max_error))
     {
         let line = verification(found);
         if to_stdout { output::note(&line) } else { output::line(&line) }
