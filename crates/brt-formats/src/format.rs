@@ -129,7 +129,7 @@ impl Format {
     fn from_start(bytes: &[u8]) -> Option<Self> {
         let text = bytes.trim_ascii_start();
         let starts = |start: &[u8]| text.starts_with(start);
-        if bytes.starts_with(b"glTF") || starts(b"{") {
+        if bytes.starts_with(b"glTF") || (starts(b"{") && names_asset(text)) {
             Some(Self::Gltf)
         } else if bytes.starts_with(b"PK\x03\x04") {
             Some(Self::ThreeMf)
@@ -145,6 +145,12 @@ impl Format {
             None
         }
     }
+}
+
+/// Any program may write JSON; that of glTF must have this property.
+fn names_asset(json: &[u8]) -> bool {
+    const ASSET: &[u8] = b"\"asset\"";
+    json.windows(ASSET.len()).any(|window| window == ASSET)
 }
 
 #[cfg(test)]
@@ -171,6 +177,7 @@ mod tests {
         assert_eq!(Format::from_content(b"solid cube"), Some(Format::Stl));
         assert_eq!(Format::from_content(b"#VRML V2.0 utf8"), Some(Format::Vrml));
         assert_eq!(Format::from_content(b"{ \"asset\": {} }"), Some(Format::Gltf));
+        assert_eq!(Format::from_content(b"{ \"chemicalJson\": 1 }"), None);
         assert_eq!(Format::from_content(b"ply\nformat ascii 1.0"), Some(Format::Ply));
         assert_eq!(Format::from_content(b""), None);
         assert_eq!(Format::from_content(b"hello"), None);

@@ -38,6 +38,8 @@ fn each_fault_has_its_error() {
     assert!(matches!(load(&folder.path().join("none"), &all), Err(LoadError::Io { .. })));
     assert!(matches!(error("a.txt", b"hello", &all), LoadError::UnknownFormat { .. }));
     assert!(matches!(error("a", b"", &all), LoadError::UnknownFormat { .. }));
+    // JSON of others is no glTF.
+    assert!(matches!(error("a.cjson", b"{\"chemicalJson\": 1}", &all), LoadError::UnknownFormat { .. }));
     assert!(matches!(error("a.toml", b"\xff", &all), LoadError::NotUtf8 { position: 0, .. }));
     let small = Limits { bytes: 3, ..all };
     assert!(matches!(error("a.toml", b"abcd", &small), LoadError::LimitExceeded { .. }));

@@ -4,7 +4,7 @@ mod common;
 
 use std::time::{Duration, Instant};
 
-use brt_formats::{Format, Limits, ParseError, parse};
+use brt_formats::{Format, Limits, ParseError, parse, write_toml};
 use common::{EVERYTHING, FOUR, NFF, png};
 
 /// Small files with much in them.
@@ -109,6 +109,68 @@ fn two_thousand_mutations() {
             survives(format, &bytes);
         }
     }
+}
+
+/// What fuzzers found, cut down.
+#[test]
+fn files_that_once_made_us_panic() {
+    let files: [(Format, &[u8]); 1] = [
+        // The first colour comes after a face of the same mesh.
+        (Format::Obj, b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 0 1 1 0 0\nf 1 2 4\n"),
+    ];
+    for (format, bytes) in files {
+        survives(format, bytes);
+    }
+}
+
+#[test]
+fn nodes_that_use_each_other_do_not_overflow_the_stack() {
+    let chain = "DEF A Group { children USE A }\n".repeat(200_000);
+    let text =
+        format!("#VRML V2.0 utf8\nDEF A Group {{ children Shape {{ geometry Sphere {{ }} }} }}\n{chain}");
+    let error = parse(Format::Vrml, text.as_bytes(), &Limits::default()).unwrap_err().to_string();
+    assert_eq!(error, "nodes nest deeper than 64");
+}
+
+#[test]
+fn many_fields_are_looked_up_in_time() {
+    let fields = |count: usize| (0..count).map(|i| format!("f{i} 1\n")).collect::<String>();
+    let text = format!(
+        "#VRML V2.0 utf8\nShape {{ geometry IndexedFaceSet {{ coord Coordinate {{ point [0 0 0 1 0 0 0 1 0] }} \
+         coordIndex [{}] {} }} }}",
+        "0 1 2 -1 ".repeat(200_000),
+        fields(200_000)
+    );
+    let start = Instant::now();
+    survives(Format::Vrml, text.as_bytes());
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+}
+
+#[test]
+fn a_few_words_do_not_fill_the_memory() {
+    let gltf = br#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"componentType":5126,"count":49999999,"type":"VEC3","min":[0,0,0],"max":[1,1,0],
+        "sparse":{"count":1,"indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":0}}}],
+        "bufferViews":[{"buffer":0,"byteLength":15}],
+        "buffers":[{"byteLength":15,"uri":"data:;base64,AAAAAAAAAAAAAAAAAAAA"}]}"#;
+    let error = parse(Format::Gltf, gltf, &Limits::default()).unwrap_err().to_string();
+    assert_eq!(error, "accessor 0 has 49999999 rows, but no data for most of them");
+}
+
+#[test]
+fn normals_that_are_no_numbers_are_computed_anew() {
+    let head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+                property float z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\n\
+                property list uchar uchar vertex_indices\nend_header\n";
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0_f32]];
+    let numbers = points.into_iter().flat_map(|[x, y, z]| [x, y, z, f32::NAN, 0.0, 1.0]);
+    let mut ply: Vec<u8> = head.bytes().chain(numbers.flat_map(f32::to_le_bytes)).collect();
+    ply.extend([3, 0, 1, 2]);
+    let (scene, report) = parse(Format::Ply, &ply, &Limits::default()).unwrap();
+    let again = parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap();
+    assert_eq!(again.0, scene);
+    assert!(report.diagnostics[0].message.contains("normals that have no direction"), "{report:?}");
 }
 
 #[test]

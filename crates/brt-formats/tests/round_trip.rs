@@ -25,7 +25,8 @@ proptest! {
         let text = write_toml(&scene);
         let (again, report) = parse(Format::Toml, text.as_bytes(), &Limits::default())
             .map_err(|error| TestCaseError::fail(format!("{error:?}\n{text}")))?;
-        prop_assert!(report.diagnostics.is_empty());
+        // Random objects cannot all show the texture of their material.
+        prop_assert!(report.diagnostics.iter().all(|d| d.message.contains("texture not seen")));
         prop_assert_eq!(&again, &scene);
         prop_assert_eq!(write_toml(&again), text);
     }

@@ -155,6 +155,16 @@ fn gltf_pictures_that_cannot_be_had_are_said() {
 }
 
 #[test]
+fn gltf_meshes_without_coordinates_are_said() {
+    let material = r#""pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 5}}"#;
+    let imported = read(&gltf(IN_BUFFER, material, ""));
+    assert_eq!(
+        messages(&imported),
+        ["mesh without the coordinates of its texture, at primitive 0 of mesh 0"]
+    );
+}
+
+#[test]
 fn gltf_nodes_share_their_mesh() {
     let file = String::from_utf8(gltf(IN_BUFFER, PLAIN, "")).unwrap();
     let file = file.replace(r#""nodes": [0]"#, r#""nodes": [0, 1, 2]"#).replace(

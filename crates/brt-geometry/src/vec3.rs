@@ -52,7 +52,8 @@ impl Vec3<f64> {
     /// `None` for the zero vector and for coordinates that are not finite.
     pub fn try_normalize(self) -> Option<Self> {
         let greatest = self.x.abs().max(self.y.abs()).max(self.z.abs());
-        if !greatest.is_finite() || greatest == 0.0 {
+        // The greatest of a number and one that is none is the number.
+        if !self.is_finite() || greatest == 0.0 {
             return None;
         }
         let scaled = vec3(self.x / greatest, self.y / greatest, self.z / greatest);
@@ -207,5 +208,7 @@ mod tests {
             assert!((n - vec3(0.6, 0.0, 0.8)).length() < 1e-15);
         }
         assert!(Vec3::ZERO.try_normalize().is_none());
+        assert!(vec3(f64::NAN, 1.0, 0.0).try_normalize().is_none());
+        assert!(vec3(1.0, f64::INFINITY, 0.0).try_normalize().is_none());
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, size_of};
+use crate::bench::{Bench, SCENE, size_of};
 
 const OFF: &str = "OFF\n4 4 0\n0 0 0\n2 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 
@@ -53,6 +53,19 @@ fn strict_makes_warnings_an_error() {
     assert_eq!(ended.code, Some(1));
     assert!(ended.errors.contains("odd.obj") && ended.errors.contains("--strict"), "{}", ended.errors);
     bench.done("render part.off --no-save -s 8x8 --strict");
+}
+
+#[test]
+fn a_texture_that_is_not_seen_is_a_warning_too() {
+    let bench = bench();
+    bench.done("render part.off wood.png -s 4x4 --samples 1");
+    let texture = "[materials.clay]\ntexture = { file = \"wood.png\" }";
+    bench.write("wood.toml", &SCENE.replace("[materials.clay]", texture));
+    let ended = bench.done("inspect wood.toml");
+    for part in ["texture not seen: a sphere has no `texcoords`", "wood.toml:18:", "a plane has no"] {
+        assert!(ended.errors.contains(part), "{part}: {}", ended.errors);
+    }
+    assert_eq!(bench.run("render wood.toml --no-save -s 8x8 --strict").code, Some(1));
 }
 
 #[test]

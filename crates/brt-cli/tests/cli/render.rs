@@ -196,6 +196,21 @@ fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
 }
 
 #[test]
+fn a_quiet_verification_speaks_of_pixels_above_the_limit_only() {
+    let bench = Bench::new();
+    let good = bench.done(&format!("render ball.toml {QUICK} -q --verify"));
+    assert_eq!((good.text(), good.errors.as_str()), ("", ""));
+    let border = format!("render ball.toml {QUICK} --method border --delta 128 --verify");
+    let (loud, quiet) = (bench.done(&border), bench.done(&format!("{border} -q")));
+    assert!(!loud.text().ends_with(", 0 above 1\n"), "{}", loud.text());
+    assert_eq!((quiet.text(), quiet.errors.as_str()), (loud.text(), ""));
+    // What ends with 3 says why.
+    let over = bench.run(&format!("render ball.toml {QUICK} -q --tolerance 8 --max-error 0"));
+    assert_eq!(over.code, Some(3));
+    assert!(over.text().ends_with(", 0 above 8\n"), "{}", over.text());
+}
+
+#[test]
 fn a_pixel_tells_what_is_seen_in_it() {
     let bench = Bench::new();
     let ended = bench.done(&format!("render ball.toml {QUICK} --pixel 32,24 --verify"));

@@ -7,6 +7,9 @@ use gltf::buffer::View;
 use super::buffers::Buffers;
 use crate::import::{Stop, fault};
 
+/// Rows that no bytes of the file stand for: a few words in a hostile file must not fill the memory.
+const MOST_ZEROS: usize = 1 << 20;
+
 /// Rows of N numbers, as floats; normalised integers are from 0 (or −1) to 1.
 pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Result<Vec<[f64; N]>, Stop> {
     let kind = accessor.data_type();
@@ -30,6 +33,12 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
                 buffers,
             )?;
             slice.iter().map(row).collect()
+        }
+        None if accessor.sparse().is_some() && accessor.count() > MOST_ZEROS => {
+            return Err(at(
+                accessor,
+                &format!("has {} rows, but no data for most of them", accessor.count()),
+            ));
         }
         None if accessor.sparse().is_some() => vec![[0.0; N]; accessor.count()],
         None => return Err(at(accessor, "has no data")),

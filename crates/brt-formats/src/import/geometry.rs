@@ -157,7 +157,7 @@ pub(super) fn normal_of(positions: &[Vec3], [a, b, c]: [u32; 3]) -> Option<Vec3>
     }
     let [a, b, c] = [a, b, c].map(|i| positions[i as usize]);
     let normal = (b - a).cross(c - a);
-    // Coordinates that overflow here are refused by the scene's check.
+    // Coordinates that are no numbers or overflow here make no area either.
     normal.try_normalize()
 }
 

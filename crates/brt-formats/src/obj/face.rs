@@ -66,6 +66,8 @@ impl Chunk {
             geometry.normals.push(corner.normal.map_or(Vec3::ZERO, |n| lists.normals[n as usize]));
             geometry.texcoords.push(corner.texcoord.map_or([0.0; 2], |t| lists.texcoords[t as usize]));
             if !lists.colors.is_empty() {
+                // The faces before may be from above the file's first colour.
+                geometry.colors.resize(next as usize, Rgb::WHITE);
                 geometry.colors.push(lists.colors.get(p).copied().unwrap_or(Rgb::WHITE));
             }
             next

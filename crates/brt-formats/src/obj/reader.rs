@@ -126,6 +126,8 @@ impl Reader<'_> {
         if !self.is_textured(draft) {
             // Points need not be split where only their places in a picture differ.
             corners.iter_mut().for_each(|corner| corner.texcoord = None);
+        } else if !draft.is_bare() && corners.iter().any(|corner| corner.texcoord.is_none()) {
+            draft.notices.note("face without the coordinates of its texture", word.span.clone());
         }
         self.chunk.add(&corners, self.group, &self.lists);
         Ok(())

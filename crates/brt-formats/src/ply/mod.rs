@@ -102,13 +102,23 @@ fn texture(
     limits: &Limits,
     draft: &mut Draft,
 ) -> Option<Texture> {
-    if geometry.texcoords.is_empty() || draft.is_bare() {
+    if draft.is_bare() {
         return None;
     }
     let named = header.comments.iter().find_map(|comment| comment.trim().strip_prefix("TextureFile"));
-    let Some(name) = named.map(str::trim).filter(|name| !name.is_empty()) else {
-        draft.notices.say("texture coordinates ignored: the file names no picture");
-        return None;
+    let name = match named.map(str::trim).filter(|name| !name.is_empty()) {
+        Some(name) if geometry.texcoords.is_empty() => {
+            draft
+                .notices
+                .say(&format!("the picture `{}` ignored: points have no place in it", excerpt(name)));
+            return None;
+        }
+        Some(name) => name,
+        None if geometry.texcoords.is_empty() => return None,
+        None => {
+            draft.notices.say("texture coordinates ignored: the file names no picture");
+            return None;
+        }
     };
     match Pictures::new(limits).get(name, || beside.read(name).map(Cow::Owned)) {
         Ok(picture) => Some(Texture::new(picture)),

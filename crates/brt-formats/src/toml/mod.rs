@@ -11,6 +11,7 @@ mod mesh;
 mod scene;
 mod shape;
 mod texture;
+mod unseen;
 mod value;
 mod write;
 mod write_files;
@@ -56,6 +57,7 @@ pub(crate) fn read(
     if problems.has_errors() {
         return Err(ParseError::Malformed(problems.into_report()));
     }
+    unseen::note_textures(&read, &mut problems);
     Ok((read.scene, problems.into_report()))
 }
 

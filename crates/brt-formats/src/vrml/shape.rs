@@ -69,12 +69,12 @@ impl Shapes {
     }
 
     fn material(&mut self, appearance: Option<&Node>, draft: &mut Draft) -> MaterialId {
-        let Some(node) = appearance.and_then(|a| a.node("material")) else {
-            return draft.plain();
-        };
         if let Some(texture) = appearance.and_then(|a| a.node("texture")) {
             draft.notices.note("textures ignored", texture.span.clone());
         }
+        let Some(node) = appearance.and_then(|a| a.node("material")) else {
+            return draft.plain();
+        };
         let color = |name: &str, default: f64| node.three(name).unwrap_or([default; 3]);
         let (diffuse, specular, emissive) =
             (color("diffuseColor", 0.8), color("specularColor", 0.0), color("emissiveColor", 0.0));

@@ -12,7 +12,9 @@ use crate::import::{Draft, Stop, fault};
 pub(super) struct Node {
     pub(super) kind: String,
     pub(super) span: Range<usize>,
-    fields: Vec<(String, Value)>,
+    fields: HashMap<String, Value>,
+    /// Nodes below it, on the longest way down.
+    height: usize,
 }
 
 /// What a field holds.
@@ -25,13 +27,17 @@ pub(super) enum Value {
 }
 
 impl Node {
-    fn value(&self, name: &str) -> Option<&Value> {
-        // A field may be given twice in broken files: the last counts.
-        self.fields.iter().rev().find(|(key, _)| key == name).map(|(_, value)| value)
+    /// Sets a field. It may be given twice in broken files: the last counts.
+    fn set(&mut self, name: String, value: Value) {
+        if let Value::Nodes(nodes) = &value {
+            let below = nodes.iter().map(|node| node.height + 1);
+            self.height = below.fold(self.height, usize::max);
+        }
+        self.fields.insert(name, value);
     }
 
     pub(super) fn numbers(&self, name: &str) -> &[f64] {
-        match self.value(name) {
+        match self.fields.get(name) {
             Some(Value::Numbers(numbers)) => numbers,
             _ => &[],
         }
@@ -46,7 +52,7 @@ impl Node {
     }
 
     pub(super) fn nodes(&self, name: &str) -> &[Rc<Node>] {
-        match self.value(name) {
+        match self.fields.get(name) {
             Some(Value::Nodes(nodes)) => nodes,
             _ => &[],
         }
@@ -58,7 +64,7 @@ impl Node {
 
     /// A field that is TRUE or FALSE.
     pub(super) fn is(&self, name: &str, default: bool) -> bool {
-        match self.value(name) {
+        match self.fields.get(name) {
             Some(Value::Word(word)) => word == "TRUE",
             _ => default,
         }
@@ -133,14 +139,15 @@ impl<'b> Parser<'b> {
     /// A node, or none for NULL and names that nothing has.
     fn node(&mut self, depth: usize) -> Result<Option<Rc<Node>>, Stop> {
         let (word, span) = self.expect()?;
-        if depth > Limits::NESTING {
-            return Err(fault(format!("nodes nest deeper than {}", Limits::NESTING), Some(span)));
-        }
+        check_depth(depth, &span)?;
         match word {
             b"NULL" => Ok(None),
             b"USE" => {
                 let (name, _) = self.expect()?;
-                Ok(self.names.get(name).cloned())
+                let node = self.names.get(name).cloned();
+                // A chain of names would be as long as the file, and end in an overflow of the stack.
+                check_depth(depth + node.as_ref().map_or(0, |node| node.height), &span)?;
+                Ok(node)
             }
             b"DEF" => {
                 let (name, _) = self.expect()?;
@@ -160,7 +167,7 @@ impl<'b> Parser<'b> {
             let message = format!("found `{}`, expected `{{` after `{}`", shown(open), shown(kind));
             return Err(fault(message, Some(place)));
         }
-        let mut node = Node { kind: String::from_utf8_lossy(kind).into_owned(), span, fields: Vec::new() };
+        let mut node = Node { kind: String::from_utf8_lossy(kind).into_owned(), span, ..Node::default() };
         loop {
             let (name, place) = self.expect()?;
             match name {
@@ -172,7 +179,7 @@ impl<'b> Parser<'b> {
                 b"ROUTE" => self.skip_declaration(name),
                 _ => {
                     let value = self.value(depth)?;
-                    node.fields.push((String::from_utf8_lossy(name).into_owned(), value));
+                    node.set(String::from_utf8_lossy(name).into_owned(), value);
                 }
             }
         }
@@ -258,6 +265,13 @@ impl<'b> Parser<'b> {
             }
         }
     }
+}
+
+fn check_depth(depth: usize, span: &Range<usize>) -> Result<(), Stop> {
+    if depth > Limits::NESTING {
+        return Err(fault(format!("nodes nest deeper than {}", Limits::NESTING), Some(span.clone())));
+    }
+    Ok(())
 }
 
 /// Length of a text in quotes; `\` keeps a quote from ending it.

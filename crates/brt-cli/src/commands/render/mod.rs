@@ -99,5 +99,5 @@ fn failure(error: RenderFilesError) -> Failure {
 
 fn outcome(options: &Options, rendered: &Rendered) -> Outcome {
     let error = rendered.verification.map_or(0.0, |found| found.comparison.max_error);
-    if options.max_error.is_some_and(|limit| error > limit) { Outcome::OverLimit } else { Outcome::Done }
+    if options.is_over_limit(error) { Outcome::OverLimit } else { Outcome::Done }
 }

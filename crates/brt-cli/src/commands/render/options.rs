@@ -77,7 +77,7 @@ pub(crate) struct Options {
     /// Write no picture: for timing
     #[arg(long, conflicts_with_all = ["out", "output", "layers", "bits", "compression"])]
     pub(crate) no_save: bool,
-    /// Say nothing but errors
+    /// Say nothing but errors, and what is verified where it is above its limit
     #[arg(short, long)]
     pub(crate) quiet: bool,
     /// Print the summary even where nobody looks, and more of it
@@ -112,6 +112,11 @@ impl Options {
             None if self.max_error.is_some() => CheckedPixels::All,
             None => CheckedPixels::None,
         }
+    }
+
+    /// Is an error, in levels of 255, greater than was asked for?
+    pub(crate) fn is_over_limit(&self, error: f64) -> bool {
+        self.max_error.is_some_and(|limit| error > limit)
     }
 
     /// How many threads render.

@@ -6,7 +6,8 @@ use super::options::Options;
 use super::targets::Targets;
 use crate::output;
 
-/// Prints the verification where it was asked for, and the summary where it is seen.
+/// Prints the verification where it was asked for, and the summary where it is seen. Those who want it quiet hear of
+/// pixels above the limit only.
 pub(super) fn show(
     options: &Options,
     targets: &Targets,
@@ -16,7 +17,9 @@ pub(super) fn show(
 ) {
     let to_stdout = targets.picture.target == Some(Target::Stdout)
         || targets.stats.as_deref().is_some_and(crate::scene_input::is_dash);
-    if let (true, Some(found)) = (options.verifies(), &rendered.verification) {
+    if let (true, Some(found)) = (options.verifies(), &rendered.verification)
+        && (!options.quiet || found.above > 0 || options.is_over_limit(found.comparison.max_error))
+    {
         let line = verification(found);
         if to_stdout { output::note(&line) } else { output::line(&line) }
     }
