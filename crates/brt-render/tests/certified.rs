@@ -7,8 +7,8 @@ use brt_render::{
 };
 use brt_scene::{Scene, procedural};
 use brt_testkit::{
-    AnyScene, Difference, Rendered, any_scene, render_with_layers, replay_hint, scaled, seed_scene, seeded,
-    shifted,
+    AnyScene, Difference, Rendered, any_mesh_scene, any_scene, render_with_layers, replay_hint, scaled,
+    seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -78,6 +78,29 @@ proptest! {
         let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
+}
+
+proptest! {
+    #![proptest_config(seeded(1991, 200))]
+
+    #[test]
+    fn every_pixel_of_random_meshes_is_within_the_tolerance(
+        AnyScene(scene) in any_mesh_scene(),
+        width in 100_u32..400,
+        tolerance in 0.05..3.0,
+        transfer in prop_oneof![Just(Transfer::Linear), Just(Transfer::Srgb)],
+    ) {
+        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &Settings::new([width, 150]));
+        prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
+    }
+}
+
+/// Triangles are smaller than the blocks that are filled.
+#[test]
+fn smooth_meshes_are_filled_across_their_triangles_and_in_their_shadows() {
+    let scene = named("torus");
+    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([900, 900])).unwrap();
+    assert!(filled_share(&picture) > 0.65, "{}", filled_share(&picture));
 }
 
 #[test]

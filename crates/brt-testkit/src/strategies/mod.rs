@@ -1,11 +1,13 @@
 //! Random scenes, views and settings for property tests.
 
 mod materials;
+mod meshes;
 mod scenes;
 mod settings;
 mod shapes;
 
 pub use materials::any_material;
+pub use meshes::any_mesh_scene;
 pub use scenes::{AnyScene, any_scene};
 pub use settings::{any_border, any_judge, seeded};
 pub use shapes::any_shape;

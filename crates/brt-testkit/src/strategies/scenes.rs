@@ -66,11 +66,11 @@ fn placed(object: Object, placement: Affine) -> Object {
     }
 }
 
-fn named((material, number): (Material, u32)) -> Material {
+pub(super) fn named((material, number): (Material, u32)) -> Material {
     Material { name: format!("m{number}"), ..material }
 }
 
-fn any_light() -> impl Strategy<Value = Light> {
+pub(super) fn any_light() -> impl Strategy<Value = Light> {
     prop_oneof![
         3 => (point(8.0), any_color()).prop_map(|(position, color)| Light::Point { position, color }),
         1 => any_spot(),
@@ -109,18 +109,21 @@ struct View {
     place: Place,
 }
 
-fn any_view() -> impl Strategy<Value = View> {
-    let projection = prop_oneof![
+pub(super) fn any_projection() -> impl Strategy<Value = Projection> {
+    prop_oneof![
         3 => (5.0..150.0).prop_map(|fov_deg| Projection::Perspective { fov_deg }),
         1 => (0.5..12.0).prop_map(|extent| Projection::Orthographic { extent }),
-    ];
+    ]
+}
+
+fn any_view() -> impl Strategy<Value = View> {
     let place = prop_oneof![
         6 => Just(Place::Anywhere),
         1 => Just(Place::InGlass),
         1 => (0_usize..4).prop_map(Place::OnObject),
         1 => (0_usize..4).prop_map(Place::BeforeObject),
     ];
-    (point(7.0), point(1.5), direction(), projection, place).prop_map(
+    (point(7.0), point(1.5), direction(), any_projection(), place).prop_map(
         |(eye, look_at, up, projection, place)| View {
             camera: Camera { eye, look_at, up, projection },
             place,

@@ -47,7 +47,8 @@ pub(in crate::methods::certified) fn is_screened(
             }
             edges.add(corners);
             let hit = scene.primitives[id as usize].first_hit(&middle, Start::Elsewhere);
-            is_met |= hit.found.all() && (ways.t_max.is_infinite() || hit.t.lt(Taylor::constant(ways.t_max)).all());
+            is_met |=
+                hit.found.all() && (ways.t_max.is_infinite() || hit.t.lt(Taylor::constant(ways.t_max)).all());
         }
         is_met && edges.are_paired()
     })

@@ -38,7 +38,11 @@ pub(in crate::methods::certified) fn lighting(
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
     if !candidates.find(&shaft, inherited, MOST_LISTED, may_hide) {
-        return if is_screened(candidates, &shaft, patch, light, ways) { KnownLighting::Hidden } else { known };
+        return if is_screened(candidates, &shaft, patch, light, ways) {
+            KnownLighting::Hidden
+        } else {
+            known
+        };
     }
     if candidates.found.len() > MOST_CLASSIFIED {
         return among_found(candidates);
@@ -99,7 +103,11 @@ pub(in crate::methods::certified) fn shaft_of(
 }
 
 /// Do a patch and all ways from it to a light lie on one side of a flat primitive?
-pub(in crate::methods::certified) fn is_beside(primitive: &Primitive, points: &Vec3<Taylor>, light: &PreparedLight) -> bool {
+pub(in crate::methods::certified) fn is_beside(
+    primitive: &Primitive,
+    points: &Vec3<Taylor>,
+    light: &PreparedLight,
+) -> bool {
     let Some(plane) = primitive.plane() else { return false };
     let heights = points.along(plane.normal);
     let [lo, hi] = heights.range().map(|height| height - plane.distance);

@@ -104,7 +104,8 @@ impl Facet {
             let across = (one.0 + other.0).try_normalize()?;
             Some((across, across.dot(corner)))
         };
-        let corner_lines = [through(a, second, third)?, through(b, third, first)?, through(c, first, second)?];
+        let corner_lines =
+            [through(a, second, third)?, through(b, third, first)?, through(c, first, second)?];
         let altitudes = [x, y, z];
         // Products of up to three coordinates over twice the area as seen.
         let reach = size_of(&ray.origin) + sum(a).max(sum(b)).max(sum(c));
@@ -143,7 +144,5 @@ fn size_of(v: &Vec3<Taylor>) -> f64 {
 }
 
 pub(super) fn extremes<const N: usize>(numbers: [f64; N]) -> [f64; 2] {
-    numbers
-        .into_iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
+    numbers.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
 }

@@ -98,12 +98,7 @@ impl TangentPlane {
     }
 
     /// How far values between the corners may be off the lines: no more than those at the corners, and what rounding adds.
-    fn deviations(
-        &self,
-        facets: &[Facet],
-        lines: &[Line; FITTED],
-        weight_error: f64,
-    ) -> [f64; FITTED] {
+    fn deviations(&self, facets: &[Facet], lines: &[Line; FITTED], weight_error: f64) -> [f64; FITTED] {
         let mut greatest = [0.0_f64; FITTED];
         let mut size = 1.0_f64;
         self.for_each_corner(facets, |[a, b], values| {

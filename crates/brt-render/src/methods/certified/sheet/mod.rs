@@ -18,7 +18,8 @@ use self::lighting::{LightsOfSheet, lighting};
 use super::Certified;
 use crate::filling::LinearFill;
 use crate::products::{
-    Area, Certificate, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, NOTHING, PreparedLight, PreparedScene, SampleState,
+    Area, Certificate, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, NOTHING, PreparedLight, PreparedScene,
+    SampleState,
 };
 use crate::tracing::Patch;
 
@@ -78,7 +79,10 @@ impl Certified<'_, '_> {
             let info = &scene.infos[id as usize];
             (info.surface, info.material)
         };
-        if ids.len() > MOST_FACETS || count < LEAST_EACH * ids.len() || ids.iter().any(|&id| of(id) != of(ids[0])) {
+        if ids.len() > MOST_FACETS
+            || count < LEAST_EACH * ids.len()
+            || ids.iter().any(|&id| of(id) != of(ids[0]))
+        {
             return Shown::Several;
         }
         if !is_of_sheet(scene, ids[0]) {
