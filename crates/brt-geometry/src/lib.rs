@@ -51,6 +51,10 @@ pub const SMALLEST_ANGLE: f64 = 1e-9;
 /// Points of a polygon may be off its plane by this share of the polygon's size: files round to about six digits.
 pub const POLYGON_FLATNESS: f64 = 1e-3;
 
+/// Corners of a face may be off its plane by this share of its size. Polygons within [`POLYGON_FLATNESS`] that are not as
+/// flat are cut into triangles: their outline, seen from the side, would not be where their plane is.
+pub const FACE_FLATNESS: f64 = 2e-6;
+
 /// Facets of a mesh without normals belong to one surface if their normals differ by less (in radians).
 pub const FACET_ANGLE: f64 = 1e-6;
 

@@ -1,6 +1,6 @@
 //! The plane of a polygon given by its points.
 
-use crate::{POLYGON_FLATNESS, Vec3};
+use crate::{FACE_FLATNESS, POLYGON_FLATNESS, Vec3};
 
 /// The plane that fits a polygon's outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,9 +37,18 @@ impl PolygonPlane {
     /// The greatest distance of these points from the plane as a share of the polygon's size, if it is too great for
     /// a flat polygon.
     pub fn greatest_distance(&self, points: &[Vec3]) -> Option<f64> {
-        let off = |p: &Vec3| ((*p - self.center).dot(self.normal) / self.size).abs();
-        let greatest = points.iter().map(off).fold(0.0, f64::max);
+        let greatest = self.flatness(points);
         (greatest > POLYGON_FLATNESS).then_some(greatest)
+    }
+
+    /// Do these points lie in the plane, but for rounding?
+    pub fn is_face(&self, points: &[Vec3]) -> bool {
+        self.flatness(points) <= FACE_FLATNESS
+    }
+
+    fn flatness(&self, points: &[Vec3]) -> f64 {
+        let off = |p: &Vec3| ((*p - self.center).dot(self.normal) / self.size).abs();
+        points.iter().map(off).fold(0.0, f64::max)
     }
 }
 

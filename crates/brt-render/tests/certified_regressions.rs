@@ -3,7 +3,7 @@
 use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, Transfer, rgb};
 use brt_render::{Certificate, CertifiedSettings, CheckedPixels, Method, Run, Settings};
-use brt_scene::{Light, Material, Mesh, Scene, Shape, procedural};
+use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape, procedural};
 use brt_testkit::{Rendered, looking, render_with_layers};
 
 fn certified(scene: &Scene) -> Rendered {
@@ -156,4 +156,24 @@ fn negative_colors_are_filled_as_they_are() {
     let picture = certified(&scene);
     assert_eq!(above(&picture), 0);
     assert!(filled(&picture) > 0.5);
+}
+
+/// Light nearly along a polygon met its fitted plane above the floor, where none of its corners was: a third of the picture
+/// was off by 60 levels. Such polygons are cut into triangles now.
+#[test]
+fn polygons_off_their_plane_hide_lights_where_they_are() {
+    let mut scene = Scene::new(Camera {
+        eye: vec3(-7.0, 10.0, 0.2),
+        look_at: vec3(-7.0, 0.0, 0.2),
+        up: vec3(0.0, 0.0, -1.0),
+        projection: Projection::Orthographic { extent: 0.4 },
+    });
+    scene.lights.push(Light::Directional { direction: vec3(0.0, -1.0, -40.0), color: rgb(10.0, 10.0, 10.0) });
+    let white = scene.add_material(Material::matte("white", Rgb::WHITE));
+    let positions = [[-30.0, 0.0, -30.0], [50.0, 0.0, -30.0], [-30.0, 0.0, 50.0]].map(Vec3::from).to_vec();
+    scene.add(Shape::from(Mesh { positions, triangles: vec![[0, 2, 1]], ..Mesh::default() }), white);
+    let outline = [[-8.0, -0.004, 0.0], [8.0, -0.0005, 0.0], [8.0, -0.029, -8.0], [-8.0, -0.0005, -8.0]];
+    scene.add(Shape::Polygon { outline: outline.map(Vec3::from).to_vec(), holes: Vec::new() }, white);
+    assert_eq!(scene.check(), []);
+    assert_eq!(above(&certified(&scene)), 0);
 }

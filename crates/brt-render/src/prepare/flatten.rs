@@ -116,7 +116,9 @@ impl Flattened {
         let Some(fit) = polygon_plane(outline) else { return };
         let plane = Plane::through(fit.center, fit.normal);
         let surface = self.add_surface(owner);
-        if holes.is_empty() && is_convex(outline, fit.normal) {
+        let corners: Vec<Vec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
+        let is_face = fit.is_face(&corners);
+        if is_face && holes.is_empty() && is_convex(outline, fit.normal) {
             let primitive = match *outline {
                 [a, b, c] => Primitive::Triangle(Triangle { plane, corners: [a, b, c] }),
                 _ => Primitive::Polygon(Polygon { plane, corners: outline.into() }),
@@ -124,11 +126,13 @@ impl Flattened {
             self.add(primitive, owner, surface, Corners::default());
             return;
         }
-        // All parts keep the polygon's plane, so they are hit at one distance.
-        let corners: Vec<Vec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
         for triangle in triangulate(outline, holes, fit.normal) {
-            let part = Triangle { plane, corners: triangle.map(|i| corners[i as usize]) };
-            self.add(Primitive::Triangle(part), owner, surface, Corners::default());
+            let corners = triangle.map(|i| corners[i as usize]);
+            // Parts of a face keep its plane, so they are hit at one distance.
+            let part = if is_face { Some(Triangle { plane, corners }) } else { Triangle::new(corners) };
+            if let Some(part) = part {
+                self.add(Primitive::Triangle(part), owner, surface, Corners::default());
+            }
         }
     }
 

@@ -5,9 +5,9 @@
 //! away. (Where it is not certain that a patch faces the light, a highlight would not end with the surface: open.) A flat
 //! primitive with the patch and the light on one side of its plane is in no way between them.
 
-use brt_geometry::{BOX_MARGIN, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
+use brt_geometry::{BOX_MARGIN, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Trilean, Vec3};
 
-use super::{MOST_CLASSIFIED, is_screened};
+use super::MOST_CLASSIFIED;
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
 use crate::products::PreparedLight;
@@ -38,11 +38,7 @@ pub(in crate::methods::certified) fn lighting(
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
     if !candidates.find(&shaft, inherited, MOST_LISTED, may_hide) {
-        return if is_screened(candidates, &shaft, patch, light, ways) {
-            KnownLighting::Hidden
-        } else {
-            known
-        };
+        return known;
     }
     if candidates.found.len() > MOST_CLASSIFIED {
         return among_found(candidates);
@@ -55,11 +51,7 @@ pub(in crate::methods::certified) fn lighting(
     let mut is_hidden = false;
     candidates.found.retain(|&id| {
         let hit = block.first_hit(&scene.primitives[id as usize], start(id, patch.primitive));
-        // An infinite limit is met by every hit; comparing with it would say nothing.
-        let before = match ways.t_max {
-            t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
-            _ => hit.found,
-        };
+        let before = before_light(&hit, ways);
         is_hidden |= before.all() && !scene.dims(id);
         before.any()
     });
@@ -71,6 +63,15 @@ pub(in crate::methods::certified) fn lighting(
     match candidates.found.is_empty() && is_lit {
         true => KnownLighting::Seen,
         false => among_found(candidates),
+    }
+}
+
+/// Is what ways to a light meet before it?
+pub(in crate::methods::certified) fn before_light(hit: &Hit<Taylor>, ways: &LightWays) -> Trilean {
+    // An infinite limit is met by every hit; comparing with it would say nothing.
+    match ways.t_max {
+        t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
+        _ => hit.found,
     }
 }
 

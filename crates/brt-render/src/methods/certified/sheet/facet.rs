@@ -78,11 +78,11 @@ impl Facets {
 impl Facet {
     fn new(id: u32, triangle: &Triangle, corners: [Vec3; 3], ray: &Ray<Taylor>) -> Option<Self> {
         let outward = triangle.plane.normal;
-        let along = greatest_length(ray.dd) * LEAST_SINE;
+        let least = greatest_length(ray.dd) * LEAST_SINE;
         let [lo, hi] = ray.direction.along(outward).range();
         let turn = match () {
-            () if lo > along => -1.0,
-            () if hi < -along => 1.0,
+            () if lo > least => -1.0,
+            () if hi < -least => 1.0,
             () => return None,
         };
         // As in `Interaction::at`: normals are on the side that the order of the corners says, then turned.
@@ -115,7 +115,7 @@ impl Facet {
         let is_exact = weight_error <= MOST_WEIGHT_ERROR;
         is_exact.then(|| Self {
             id,
-            triangle: triangle.clone(),
+            triangle: *triangle,
             normal,
             distance: normal.dot(a),
             normals: corners.map(|n| n * (turn * agrees)),

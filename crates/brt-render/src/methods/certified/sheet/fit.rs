@@ -105,7 +105,7 @@ impl TangentPlane {
             for i in 0..FITTED {
                 let [middle, along, other] = lines[i];
                 greatest[i] = greatest[i].max((values[i] - (middle + along * a + other * b)).abs());
-                size = size.max(values[i].abs());
+                size = size.max(values[i].abs() + (along * a).abs() + (other * b).abs());
             }
         });
         // Weights are off by rounding; three of them, and corners' values as large as this.

@@ -6,12 +6,12 @@
 //! neighbours begin at that border, the point must be clear of it. (`q = p + s·L`, of height `s·rise` over A, is
 //! `s·nearer` less the point's clearance beyond the border: too near for its height.)
 
-use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Vec3};
 
 use super::facet::{BORDERS, Facet, Facets, extremes, sum};
 use super::{LEAST_SINE, greatest_length};
 use crate::methods::certified::candidates::Candidates;
-use crate::methods::certified::certificates::{is_beside, is_screened, shaft_of};
+use crate::methods::certified::certificates::{before_light, is_beside, shaft_of};
 use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
 
@@ -29,7 +29,7 @@ pub(super) enum LightsOfSheet {
 }
 
 /// `None` where neither is proven.
-pub(super) fn lighting(
+pub(super) fn light_of_sheet(
     candidates: &mut Candidates,
     facets: &Facets,
     patch: &Patch,
@@ -39,54 +39,36 @@ pub(super) fn lighting(
     if !patch.faces(ways)? || all_turn_away(facets, ways) {
         return Some(LightsOfSheet::Hidden);
     }
+    let climbs: Vec<_> = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect::<Option<_>>()?;
     let shaft = shaft_of(candidates, patch, light, ways)?;
-    if is_open(candidates, facets, patch, light, ways, &shaft) {
-        return Some(LightsOfSheet::Seen);
-    }
-    is_screened(candidates, &shaft, patch, light, ways).then_some(LightsOfSheet::Hidden)
-}
-
-/// Does nothing hide the light?
-fn is_open(
-    candidates: &mut Candidates,
-    facets: &Facets,
-    patch: &Patch,
-    light: &PreparedLight,
-    ways: &LightWays,
-    shaft: &Shaft,
-) -> bool {
-    let climbs: Option<Vec<_>> = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect();
-    let shaft = shaft.above_points(facets.all[0].normal, &patch.point);
-    let (Some(climbs), Some(shaft)) = (climbs, shaft) else { return false };
+    // Only shafts in a tree have room for how hits are rounded.
+    let shaft = (shaft.margin() > 0.0).then_some(shaft)?.above_points(facets.all[0].normal, &patch.point)?;
     let scene = candidates.scene;
     let may_hide = |id: u32| {
         scene.infos[id as usize].casts_shadow
             && !is_beside(&scene.primitives[id as usize], &patch.point, light)
     };
     if !candidates.find(&shaft, None, MOST_IN_THE_WAY, may_hide) {
-        return false;
+        return None;
     }
     let ray = Ray::new(patch.point, ways.towards);
     let block = match light {
         PreparedLight::Point { position, .. } => RayBlock::to_point(ray, *position),
         PreparedLight::Directional { .. } => RayBlock::new(ray),
     };
-    candidates.found.iter().all(|&id| {
+    let is_clear = |&id: &u32| {
         let primitive = &scene.primitives[id as usize];
         let blocker = Blocker::of(id, primitive, facets, ways);
         if blocker.is_some_and(|blocker| blocker.is_clear_of_all(facets, &climbs)) {
             return true;
         }
-        if facets.position(id).is_some() {
-            return false;
-        }
-        let hit = block.first_hit(primitive, start(id, patch.primitive));
-        let before = match ways.t_max {
-            t_max if t_max.is_finite() => hit.found & hit.t.lt(Taylor::constant(t_max)),
-            _ => hit.found,
+        let may_be_met = || {
+            let hit = block.first_hit(primitive, start(id, patch.primitive));
+            before_light(&hit, ways).any()
         };
-        !before.any()
-    })
+        facets.position(id).is_none() && !may_be_met()
+    };
+    candidates.found.iter().all(is_clear).then_some(LightsOfSheet::Seen)
 }
 
 /// Do all triangles turn away from the light?
@@ -130,7 +112,11 @@ impl Blocker {
         let corners = triangle.corners;
         let [lo, hi] = ways.towards.along(triangle.plane.normal).range();
         let is_steep = lo.max(-hi) > least_rise(ways);
-        let is_known = COORDINATE_ROUNDING * corners.map(sum).iter().sum::<f64>() <= 4.0 * facets.slack;
+        // A sliver's normal is little but rounding; parts of a polygon are off the plane that they share.
+        let off = |q: &Vec3| (triangle.plane.normal.dot(*q) - triangle.plane.distance).abs();
+        let is_known = COORDINATE_ROUNDING * corners.map(sum).iter().sum::<f64>() <= 4.0 * facets.slack
+            && corners.iter().all(|q| off(q) <= facets.slack)
+            && (0..3).all(|i| (corners[i] - corners[(i + 1) % 3]).length() > facets.clearance);
         (is_steep && is_known).then_some(Self { id, corners })
     }
 

@@ -14,7 +14,7 @@ use brt_image::Rgb;
 
 use self::facet::{Facet, Facets};
 use self::fit::fitted;
-use self::lighting::{LightsOfSheet, lighting};
+use self::lighting::{LightsOfSheet, light_of_sheet};
 use super::Certified;
 use crate::filling::LinearFill;
 use crate::products::{
@@ -55,6 +55,7 @@ impl Certified<'_, '_> {
             Shown::Other => false,
         };
         if is_left && !area.is_within(LEAST_SIDE) {
+            self.worker.tracer.counters.blocks.divided += 1;
             area.quarters().for_each(|quarter| self.fill_sheets(quarter));
         }
     }
@@ -105,7 +106,7 @@ impl Certified<'_, '_> {
         }
     }
 
-    /// Fills what is linear of a sheet; returns whether nothing more is to be hoped for.
+    /// Fills what is linear of a sheet; returns whether nothing is gained by dividing it.
     fn fill_sheet(&mut self, area: Area, facets: &Facets) -> bool {
         self.worker.tracer.counters.blocks.judged += 1;
         let (scene, camera) = (self.follower.scene, self.worker.camera);
@@ -115,9 +116,11 @@ impl Certified<'_, '_> {
         let Some(lights) = self.lights_of_sheet(facets, &patch) else { return false };
         let color = color_of(scene, &patch, &lights);
         if self.follower.counts.note(Certificate::Color, self.tolerance.excess(&color) <= 1.0) {
+            self.worker.tracer.counters.blocks.filled += 1;
             self.fill_facets(area, facets, None, &color);
             return true;
         }
+        self.worker.tracer.counters.blocks.filled += 1;
         for (facet, area) in facets.all.iter().zip(self.areas_of_facets(area, facets)) {
             let Some(area) = area else { continue };
             let patch = fitted(scene, camera, area, facets, std::slice::from_ref(facet));
@@ -133,7 +136,7 @@ impl Certified<'_, '_> {
     fn lights_of_sheet(&mut self, facets: &Facets, patch: &Patch) -> Option<Vec<LightsOfSheet>> {
         let (counts, candidates) = (&mut self.follower.counts, &mut self.follower.candidates);
         let of = |light: &PreparedLight| {
-            let known = lighting(candidates, facets, patch, light, &patch.ways_to(light));
+            let known = light_of_sheet(candidates, facets, patch, light, &patch.ways_to(light));
             counts.note(Certificate::Shadow, known.is_some());
             known
         };
@@ -158,7 +161,6 @@ impl Certified<'_, '_> {
     /// rounding may decide what they meet.
     fn fill_facets(&mut self, area: Area, facets: &Facets, only: Option<&Facet>, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
-        self.worker.tracer.counters.blocks.filled += 1;
         let fill = LinearFill::new(area, color, self.follower.scene.darkest);
         let (camera, tile) = (self.worker.camera, self.tile);
         let mut facet = only.unwrap_or(&facets.all[0]);
