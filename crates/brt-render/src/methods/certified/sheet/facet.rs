@@ -15,13 +15,32 @@ pub(super) struct Facet {
     pub(super) distance: f64,
     /// Normals of the corners as they shade, of any length.
     pub(super) normals: [Vec3; 3],
-    /// Lines in its plane that it does not reach beyond: along the sides opposite to each corner, and through the corners,
-    /// across their bisectors. Unit normals away from it, and how far the lines lie along them.
-    pub(super) borders: [(Vec3, f64); BORDERS],
+    /// Along the sides opposite to each corner, and through the corners, across their bisectors.
+    pub(super) borders: [Border; BORDERS],
     /// How far each corner lies from the side opposite.
     altitudes: [f64; 3],
     /// How much the weights of the corners may be off by rounding.
     weight_error: f64,
+}
+
+/// A line in a triangle's plane that the triangle does not reach beyond.
+#[derive(Clone, Copy)]
+pub(super) struct Border {
+    /// Unit normal away from the triangle.
+    pub(super) across: Vec3,
+    /// How far the line lies along it.
+    distance: f64,
+}
+
+impl Border {
+    fn through(point: Vec3, across: Vec3) -> Self {
+        Self { across, distance: across.dot(point) }
+    }
+
+    /// How far a point is beyond.
+    pub(super) fn beyond(&self, point: Vec3) -> f64 {
+        self.across.dot(point) - self.distance
+    }
 }
 
 /// Three sides and three corners.
@@ -78,48 +97,19 @@ impl Facets {
 impl Facet {
     fn new(id: u32, triangle: &Triangle, corners: [Vec3; 3], ray: &Ray<Taylor>) -> Option<Self> {
         let outward = triangle.plane.normal;
-        let least = greatest_length(ray.dd) * LEAST_SINE;
-        let [lo, hi] = ray.direction.along(outward).range();
-        let turn = match () {
-            () if lo > least => -1.0,
-            () if hi < -least => 1.0,
-            () => return None,
-        };
+        let turn = -sign(ray.direction.along(outward).range(), greatest_length(ray.dd) * LEAST_SINE)?;
         // As in `Interaction::at`: normals are on the side that the order of the corners says, then turned.
-        let [least, greatest] = extremes(corners.map(|n| n.dot(outward)));
-        let agrees = match () {
-            () if least > COORDINATE_ROUNDING => 1.0,
-            () if greatest < -COORDINATE_ROUNDING => -1.0,
-            () => return None,
-        };
+        let agrees = sign(extremes(corners.map(|n| n.dot(outward))), COORDINATE_ROUNDING)?;
+        let (borders, altitudes) = borders(triangle)?;
+        let weight_error = weight_error(triangle, altitudes, &ray.origin);
         let normal = outward * turn;
-        let [a, b, c] = triangle.corners;
-        let side = |from: Vec3, to: Vec3, opposite: Vec3| {
-            let across = (to - from).cross(outward).try_normalize()?;
-            let across = if across.dot(opposite - from) > 0.0 { -across } else { across };
-            Some(((across, across.dot(from)), across.dot(from - opposite)))
-        };
-        let [(first, x), (second, y), (third, z)] = [side(b, c, a)?, side(c, a, b)?, side(a, b, c)?];
-        let through = |corner: Vec3, one: (Vec3, f64), other: (Vec3, f64)| {
-            let across = (one.0 + other.0).try_normalize()?;
-            Some((across, across.dot(corner)))
-        };
-        let corner_lines =
-            [through(a, second, third)?, through(b, third, first)?, through(c, first, second)?];
-        let altitudes = [x, y, z];
-        // Products of up to three coordinates over twice the area as seen.
-        let reach = size_of(&ray.origin) + sum(a).max(sum(b)).max(sum(c));
-        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-        let area = longest * altitudes.into_iter().fold(f64::INFINITY, f64::min) * LEAST_SINE;
-        let weight_error = 64.0 * f64::EPSILON * reach * reach / area;
-        let is_exact = weight_error <= MOST_WEIGHT_ERROR;
-        is_exact.then(|| Self {
+        (weight_error <= MOST_WEIGHT_ERROR).then(|| Self {
             id,
             triangle: *triangle,
             normal,
-            distance: normal.dot(a),
+            distance: normal.dot(triangle.corners[0]),
             normals: corners.map(|n| n * (turn * agrees)),
-            borders: [first, second, third, corner_lines[0], corner_lines[1], corner_lines[2]],
+            borders,
             altitudes,
             weight_error,
         })
@@ -135,6 +125,41 @@ impl Facet {
     }
 }
 
+/// The one sign that numbers have which are larger than this, if they have one.
+fn sign([least, greatest]: [f64; 2], larger_than: f64) -> Option<f64> {
+    if least > larger_than {
+        return Some(1.0);
+    }
+    (greatest < -larger_than).then_some(-1.0)
+}
+
+/// The borders of a triangle, and how far each corner is from the side opposite.
+fn borders(triangle: &Triangle) -> Option<([Border; BORDERS], [f64; 3])> {
+    let [a, b, c] = triangle.corners;
+    let side = |from: Vec3, to: Vec3, opposite: Vec3| {
+        let across = (to - from).cross(triangle.plane.normal).try_normalize()?;
+        let across = if across.dot(opposite - from) > 0.0 { -across } else { across };
+        Some((Border::through(from, across), across.dot(from - opposite)))
+    };
+    let [(at_a, from_a), (at_b, from_b), (at_c, from_c)] = [side(b, c, a)?, side(c, a, b)?, side(a, b, c)?];
+    let at_corner = |corner: Vec3, one: Border, other: Border| {
+        Some(Border::through(corner, (one.across + other.across).try_normalize()?))
+    };
+    let corners = [at_corner(a, at_b, at_c)?, at_corner(b, at_c, at_a)?, at_corner(c, at_a, at_b)?];
+    Some(([at_a, at_b, at_c, corners[0], corners[1], corners[2]], [from_a, from_b, from_c]))
+}
+
+/// By how much rounding may change the weights of corners: products of up to three coordinates, over twice the area as
+/// seen.
+fn weight_error(triangle: &Triangle, altitudes: [f64; 3], origin: &Vec3<Taylor>) -> f64 {
+    let [a, b, c] = triangle.corners;
+    let reach = size_of(origin) + sum(a).max(sum(b)).max(sum(c));
+    let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+    let area = longest * altitudes.into_iter().fold(f64::INFINITY, f64::min) * LEAST_SINE;
+    64.0 * f64::EPSILON * reach * reach / area
+}
+
+/// Sum of a point's coordinates, whatever their signs.
 pub(super) fn sum(p: Vec3) -> f64 {
     p.x.abs() + p.y.abs() + p.z.abs()
 }

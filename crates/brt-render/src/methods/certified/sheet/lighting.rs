@@ -8,7 +8,7 @@
 
 use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Vec3};
 
-use super::facet::{BORDERS, Facet, Facets, extremes, sum};
+use super::facet::{BORDERS, Border, Facet, Facets, extremes, sum};
 use super::{LEAST_SINE, greatest_length};
 use crate::methods::certified::candidates::Candidates;
 use crate::methods::certified::certificates::{before_light, is_beside, shaft_of};
@@ -87,8 +87,8 @@ impl Climb {
         if rise <= least_rise(ways) {
             return None;
         }
-        let over = |(across, _): (Vec3, f64)| {
-            let [_, nearer] = ways.towards.along(across).range();
+        let over = |border: Border| {
+            let [_, nearer] = ways.towards.along(border.across).range();
             if nearer > 0.0 { rise / nearer } else { AWAY }
         };
         Some(Self(facet.borders.map(over)))
@@ -137,9 +137,9 @@ impl Blocker {
         if highest < -slack {
             return true;
         }
-        facet.borders.iter().zip(climb.0).any(|((across, distance), climb)| {
-            self.corners.iter().zip(heights).all(|(q, height)| {
-                let beyond = across.dot(*q) - distance;
+        facet.borders.iter().zip(climb.0).any(|(border, climb)| {
+            self.corners.iter().zip(heights).all(|(corner, height)| {
+                let beyond = border.beyond(*corner);
                 beyond >= -slack && height <= climb * beyond.max(0.0) + slack
             })
         })
