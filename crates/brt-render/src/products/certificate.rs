@@ -10,7 +10,7 @@ pub enum Certificate {
     Visibility,
     /// A light is seen from all points, or from none.
     Shadow,
-    /// All rays come to the surface from one side, and its shading is known to bounds: no glass, no smooth normals.
+    /// All rays come to the surface from one side, and its shading is known to bounds: no glass, and normals that are smooth only where they are nearly linear.
     Surface,
     /// All points lie in one square of a pattern.
     Checker,
