@@ -10,7 +10,8 @@ pub enum Certificate {
     Visibility,
     /// A light is seen from all points, or from none.
     Shadow,
-    /// All rays come to the surface from one side, and its shading is known to bounds: no glass, and normals that are smooth only where they are nearly linear.
+    /// All rays come to the surface from one side, and its shading is known to bounds: no glass, no smooth normals but on
+    /// fine meshes.
     Surface,
     /// All points lie in one square of a pattern.
     Checker,
