@@ -179,8 +179,16 @@ fn gltf_extensions_are_read_or_reported() {
     let glass = r#", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5},
         "KHR_materials_ior": {"ior": 1.25}, "KHR_materials_clearcoat": {"clearcoatFactor": 1}}"#;
     let Imported { scene, report, .. } = read(Format::Gltf, gltf(glass).as_bytes());
-    assert_eq!((scene.materials[0].transmission, scene.materials[0].index_of_refraction), (0.5, 1.25));
+    // Thin, as nothing says that it is solid.
+    assert_eq!((scene.materials[0].transmission, scene.materials[0].index_of_refraction), (0.5, 1.0));
     assert_eq!(report.diagnostics[0].message, "KHR_materials_clearcoat ignored, at material 0");
+    let solid = glass.replace(
+        "\"KHR_materials_clearcoat\": {\"clearcoatFactor\": 1}",
+        "\"KHR_materials_volume\": {\"thicknessFactor\": 2, \"attenuationDistance\": 3}",
+    );
+    let Imported { scene, report, .. } = read(Format::Gltf, gltf(&solid).as_bytes());
+    assert_eq!(scene.materials[0].index_of_refraction, 1.25);
+    assert_eq!(report.diagnostics[0].message, "attenuation of KHR_materials_volume ignored, at material 0");
     let Imported { scene, .. } =
         read(Format::Gltf, gltf(r#", "extensions": {"KHR_materials_unlit": {}}"#).as_bytes());
     assert_eq!((scene.materials[0].ambient, scene.materials[0].diffuse), (1.0, 0.0));

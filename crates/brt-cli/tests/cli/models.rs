@@ -165,13 +165,26 @@ fn wrong_views_are_wrong_use() {
 fn files_that_the_scene_uses_are_not_overwritten() {
     let bench = bench();
     bench.done("render part.off wood.png -s 4x4 --samples 1");
-    bench.write("wood.mtl", "newmtl wood\nmap_Kd wood.png\n");
+    bench.done("render part.off bumps.png -s 4x4 --samples 1");
+    bench.write("wood.mtl", "newmtl wood\nmap_Kd wood.png\nmap_Bump -bm 0.5 bumps.png\n");
+    // One triangle; its picture is of no use to us.
+    let gltf = r#"{"asset": {"version": "2.0"}, "images": [{"uri": "bumps.png"}],
+        "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}]}"#;
+    bench.write("bumps.gltf", gltf);
     bench.write(
         "wood.obj",
         "mtllib wood.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n",
     );
     let before = bench.read("wood.png");
-    for arguments in ["render wood.obj -s 8x8", "render wood.obj -s 8x8 --stats wood.mtl -o other.png"] {
+    for arguments in [
+        "render wood.obj -s 8x8",
+        "render wood.obj -s 8x8 -o bumps.png",
+        "render bumps.gltf -s 8x8",
+        "render wood.obj -s 8x8 --stats wood.mtl -o other.png",
+    ] {
         let ended = bench.run(arguments);
         assert_eq!(ended.code, Some(2), "{arguments}");
         assert!(ended.errors.contains("would overwrite a file that the scene uses"), "{}", ended.errors);

@@ -185,6 +185,7 @@ fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
     assert!(border.text().starts_with("3,072 pixels checked, greatest error "), "{}", border.text());
     let over = bench.run(&format!("render ball.toml {QUICK} --method border --delta 128 --max-error 0"));
     assert_eq!(over.code, Some(3), "{}", over.text());
+    assert!(over.errors.contains("above the 0 that --max-error allows"), "{}", over.errors);
     bench.done(&format!("render ball.toml {QUICK} --method border --delta 128 --max-error 255"));
     // Every 16th of 48 rows of 64 pixels.
     let rows = bench.done(&format!("render ball.toml {QUICK} --tolerance 0.25 --verify=rows"));

@@ -5,8 +5,8 @@
 //! * color = c; ambient = 0.1; diffuse = 0.8·(1 − 0.6·m·g): a smooth metal shows its surroundings instead of itself;
 //! * specular = (0.15 + 0.45·m)·g; exponent = 2/r⁴ − 2 in 1 to 1000 (Blinn's lobe of that roughness);
 //! * reflection = 0.6·m·g² + 0.04·g⁸: mirrors are metals, and anything polished a little;
-//! * transmission t (KHR_materials_transmission): transmission = t, diffuse and ambient times 1 − t, refraction by
-//!   KHR_materials_ior, no shadow where t > 0.5;
+//! * transmission t (KHR_materials_transmission): transmission = t, diffuse and ambient times 1 − t, no shadow where t > 0.5;
+//!   refraction by KHR_materials_ior where KHR_materials_volume makes it solid, else walls are thin and refract nothing;
 //! * base colour texture: the colour is multiplied with it;
 //! * alpha mode OPAQUE: opacity 1, the texture's alpha ignored; BLEND: opacity = alpha, times the texture's; MASK: the
 //!   texture's alpha times the material's is held against the cutoff, without a texture all is there or nothing;
@@ -76,7 +76,9 @@ fn convert(material: &gltf::Material, i: usize) -> Material {
     }
     if let Some(transmission) = material.transmission() {
         let share = f64::from(transmission.transmission_factor()).clamp(0.0, 1.0);
-        see_through(&mut ours, share, f64::from(material.ior().unwrap_or(1.5)));
+        let is_solid = material.volume().is_some_and(|volume| volume.thickness_factor() > 0.0);
+        let refraction = if is_solid { f64::from(material.ior().unwrap_or(1.5)) } else { 1.0 };
+        see_through(&mut ours, share, refraction);
     }
     ours
 }

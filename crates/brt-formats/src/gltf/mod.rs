@@ -39,10 +39,17 @@ fn read_file(bytes: &[u8], beside: &mut Beside, limits: &Limits, draft: &mut Dra
     let (json, binary) = container::parts(bytes)?;
     let document = parsed(json)?;
     note_ignored(&document, draft);
+    leave_pictures(&document, beside);
     let buffers = buffers::read(&document, binary, beside)?;
     let mut textures = Textures::new(&document, &buffers, beside, limits);
     let surfaces = material::read(&document, &mut textures, draft);
     nodes::add(&document, &buffers, &surfaces, draft)
+}
+
+/// Not all pictures are read; all belong to the scene.
+fn leave_pictures(document: &Document, beside: &mut Beside) {
+    let files = document.as_json().images.iter().filter_map(|image| image.uri.as_deref());
+    files.filter(|uri| !uri.starts_with("data:")).for_each(|uri| beside.leave(&buffers::decoded(uri)));
 }
 
 fn parsed(json: &[u8]) -> Result<Document, Stop> {
@@ -104,6 +111,9 @@ fn note_ignored(document: &Document, draft: &mut Draft) {
     for (i, material) in document.materials().enumerate() {
         for name in material.extensions().into_iter().flat_map(|map| map.keys()) {
             extensions.entry(name.clone()).or_insert((0, i)).0 += 1;
+        }
+        if material.volume().is_some_and(|volume| volume.attenuation_distance().is_finite()) {
+            extensions.entry("attenuation of KHR_materials_volume".to_owned()).or_insert((0, i)).0 += 1;
         }
     }
     for (name, (count, first)) in extensions {

@@ -13,7 +13,8 @@ pub(crate) struct Beside {
     outside: bool,
     /// Bytes that may still be read: all files together count as one.
     bytes_left: u64,
-    read: Vec<PathBuf>,
+    /// Files that were read, and those that were not, but belong to the scene all the same.
+    used: Vec<PathBuf>,
 }
 
 impl Beside {
@@ -23,7 +24,7 @@ impl Beside {
             folder: folder.map(Path::to_owned),
             outside: limits.files_outside,
             bytes_left: limits.bytes,
-            read: Vec::new(),
+            used: Vec::new(),
         }
     }
 
@@ -41,13 +42,24 @@ impl Beside {
         let file = File::open(&path).map_err(|error| words_of(&error))?;
         file.take(self.bytes_left).read_to_end(&mut bytes).map_err(|error| words_of(&error))?;
         self.bytes_left -= bytes.len() as u64;
-        self.read.push(path);
+        self.used.push(path);
         Ok(bytes)
     }
 
-    /// The files that were read.
+    /// A file that the scene names and that is not read; nobody may write over it.
+    pub(crate) fn leave(&mut self, name: &str) {
+        /// A scene of more pictures is not one that anybody made.
+        const MOST: usize = 1 << 16;
+        if self.used.len() < MOST
+            && let Ok(path) = self.find(name)
+        {
+            self.used.push(path);
+        }
+    }
+
+    /// The files that the scene is made of.
     pub(crate) fn into_files(self) -> Vec<PathBuf> {
-        self.read
+        self.used
     }
 
     fn find(&self, name: &str) -> Result<PathBuf, String> {

@@ -64,6 +64,14 @@ impl Map {
         })
     }
 
+    /// The picture is not read, but belongs to the scene.
+    pub(super) fn leave(&self, folder: &str, beside: &mut Beside) {
+        beside.leave(&format!("{folder}{}", self.file));
+        if let Some((_, bare)) = self.file.rsplit_once('/') {
+            beside.leave(&format!("{folder}{bare}"));
+        }
+    }
+
     /// Many files name a folder of the machine that they were made on: then the picture beside is meant.
     fn picture(&self, folder: &str, beside: &mut Beside, pictures: &mut Pictures) -> Picture {
         let mut get = |file: &str| {

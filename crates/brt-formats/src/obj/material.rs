@@ -84,9 +84,12 @@ impl Library<'_> {
                 entry.map = Map::parse(&text(words.rest_of_line()));
                 entry.map.is_some()
             }
-            // Where the picture is dark nothing glows: without it the factor says nothing.
-            "map_Ke" => {
-                entry.glows = false;
+            map if is_map(map) => {
+                // Where the picture is dark nothing glows: without it the factor says nothing.
+                entry.glows &= map != "map_Ke";
+                if let Some(map) = Map::parse(&text(words.rest_of_line())) {
+                    map.leave(self.folder, self.beside);
+                }
                 false
             }
             _ => {
@@ -117,6 +120,11 @@ impl Library<'_> {
         let id = self.draft.scene.add_material(material);
         self.materials.ids.insert(name, id);
     }
+}
+
+/// Does a statement name a picture?
+fn is_map(what: &str) -> bool {
+    what.starts_with("map_") || ["bump", "disp", "decal", "refl", "norm"].contains(&what)
 }
 
 fn text(bytes: &[u8]) -> String {

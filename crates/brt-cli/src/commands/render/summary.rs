@@ -21,7 +21,14 @@ pub(super) fn show(
         && (!options.quiet || found.above > 0 || options.is_over_limit(found.comparison.max_error))
     {
         let line = verification(found);
-        if to_stdout { output::note(&line) } else { output::line(&line) }
+        if to_stdout {
+            output::note(&line)
+        } else {
+            output::line(&line)
+        }
+        if let Some(limit) = options.max_error.filter(|_| options.is_over_limit(found.comparison.max_error)) {
+            output::note(&format!("the greatest error is above the {limit} that --max-error allows"));
+        }
     }
     if options.verbose {
         output::note(&details(rendered));
