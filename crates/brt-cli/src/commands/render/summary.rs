@@ -22,9 +22,9 @@ pub(super) fn show(
     {
         let line = verification(found);
         if to_stdout {
-            output::note(&line)
+            output::note(&line);
         } else {
-            output::line(&line)
+            output::line(&line);
         }
         if let Some(limit) = options.max_error.filter(|_| options.is_over_limit(found.comparison.max_error)) {
             output::note(&format!("the greatest error is above the {limit} that --max-error allows"));
