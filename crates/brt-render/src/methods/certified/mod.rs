@@ -4,7 +4,8 @@
 //! ([`follow`]). At each level certificates try to prove what every ray of the block meets and which lights it sees
 //! ([`certificates`]). A block whose history is proven gets a colour model, and is filled where that is linear within
 //! the tolerance. What is not proven for a block is tried again for its quarters, which inherit every proof and every
-//! list of candidates. Small blocks are traced, guided by what is proven; where everything is, no ray searches.
+//! list of candidates. Small blocks are traced, guided by what is proven; where everything is, no ray searches. Smooth
+//! meshes are filled across their triangles instead ([`sheet`]).
 
 mod candidates;
 mod certificates;

@@ -1,6 +1,8 @@
-//! Samples that show so little of a primitive that nothing is proven of them: traced together with their neighbours.
+//! Samples that are left when single primitives are settled: those that show little of one, and smooth meshes.
 //!
-//! Of these is the picture of a fine mesh made, whose triangles are smaller than a few pixels.
+//! Smooth meshes are filled first, across their triangles, where they can be ([`super::sheet`]). What is still pending is
+//! traced together with its neighbours: of that is the picture of a fine mesh made, whose triangles are smaller than a few
+//! pixels.
 
 use super::Certified;
 use crate::products::{Area, Certificate, SampleState, Tile};
