@@ -71,7 +71,7 @@ proptest! {
         height in 1_u32..80,
         tolerance in prop_oneof![Just(0.0), 0.01..3.0],
         transfer in prop_oneof![Just(Transfer::Linear), Just(Transfer::Srgb)],
-        samples in prop_oneof![4 => Just(Samples::One), 1 => Just(Samples::Four)],
+        samples in prop_oneof![3 => Just(Samples::One), 1 => Just(Samples::Four), 1 => Just(Samples::Sixteen)],
         filter in prop_oneof![Just(Filter::Box), Just(Filter::Gaussian)],
     ) {
         let settings = Settings { samples, filter, ..Settings::new([width, height]) };

@@ -4,7 +4,7 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_render::{
     Accelerator, BorderSettings, DeviationDelta, DifferenceDelta, HistoryKind, Judge, Layer, Method, Regions,
-    Run, Settings, VarianceDelta,
+    Run, Samples, Settings, VarianceDelta,
 };
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
@@ -40,8 +40,8 @@ fn difference_to(full: &Rendered, scene: &Scene, settings: &Settings) -> Option<
 }
 
 /// All ways to trace every sample, each compared with `full`.
-fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<String> {
-    let settings = Settings { layers: vec![Layer::History], history, ..Settings::new(size) };
+fn differences(scene: &Scene, settings: &Settings) -> Vec<String> {
+    let settings = Settings { layers: vec![Layer::History], ..settings.clone() };
     let full = rendered(scene, &settings);
     let with = |method: Method, accelerator| Settings { method, accelerator, ..settings.clone() };
     let mut ways = vec![
@@ -59,7 +59,7 @@ fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<Strin
     // Without histories, samples are traced in bundles.
     for accelerator in [Accelerator::Bvh, Accelerator::None] {
         let bare = Settings { layers: Vec::new(), ..with(Method::Full, accelerator) };
-        let colors = first_difference(size, &full.colors, &rendered(scene, &bare).colors);
+        let colors = first_difference(settings.size, &full.colors, &rendered(scene, &bare).colors);
         if let Some(difference) = colors {
             return vec![replay_hint(scene, &bare, &difference)];
         }
@@ -68,7 +68,7 @@ fn differences(scene: &Scene, size: [u32; 2], history: HistoryKind) -> Vec<Strin
 }
 
 fn assert_same(scene: &Scene, size: [u32; 2]) {
-    let differences = differences(scene, size, HistoryKind::Shadower);
+    let differences = differences(scene, &Settings { history: HistoryKind::Shadower, ..Settings::new(size) });
     assert!(differences.is_empty(), "{}", differences[0]);
 }
 
@@ -80,10 +80,11 @@ proptest! {
         AnyScene(scene) in any_scene(8),
         width in 1_u32..44,
         height in 1_u32..36,
+        samples in prop_oneof![3 => Just(Samples::One), 1 => Just(Samples::Four), 1 => Just(Samples::Sixteen)],
         shadower in any::<bool>(),
     ) {
         let history = if shadower { HistoryKind::Shadower } else { HistoryKind::Lit };
-        let differences = differences(&scene, [width, height], history);
+        let differences = differences(&scene, &Settings { samples, history, ..Settings::new([width, height]) });
         prop_assert!(differences.is_empty(), "{}", differences[0]);
     }
 }
@@ -98,7 +99,7 @@ proptest! {
     ) {
         for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, shift)] {
             prop_assume!(moved.check().is_empty());
-            let differences = differences(&moved, [24, 18], HistoryKind::Lit);
+            let differences = differences(&moved, &Settings::new([24, 18]));
             prop_assert!(differences.is_empty(), "{}", differences[0]);
         }
     }

@@ -5,7 +5,7 @@ use std::array::from_fn;
 use brt_geometry::{SimdLevel, Taylor};
 use brt_image::Rgb;
 
-use crate::products::{Area, SampleGrid};
+use crate::products::{Area, SampleGrid, SamplePattern};
 
 const CHANNELS: usize = 3;
 
@@ -15,36 +15,39 @@ const AT_A_TIME: usize = 16 * CHANNELS;
 /// A colour that is linear over an area.
 pub(crate) struct LinearFill {
     area: Area,
-    color: [Taylor; CHANNELS],
+    pattern: SamplePattern,
+    /// In the middle of the area.
+    color: [f64; CHANNELS],
     per_column: [f64; CHANNELS],
     per_row: [f64; CHANNELS],
-    /// How much brighter each sample of a row is than its first, channel by channel.
+    /// How much brighter each sample of a row is than its first would be if that lay in the middle of its row, channel
+    /// by channel.
     along: [f32; SampleGrid::TILE as usize * CHANNELS],
     /// No colour is darker: where the line is, it is off by at least as much as this.
     darkest: f32,
 }
 
 impl LinearFill {
-    pub(crate) fn new(area: Area, color: &Rgb<Taylor>, darkest: f32) -> Self {
-        let step =
-            |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
+    pub(crate) fn new(area: Area, pattern: &SamplePattern, color: &Rgb<Taylor>, darkest: f32) -> Self {
+        let step = |change: f64, half: f64| if half > 0.0 { change / half } else { 0.0 };
+        let [half_x, half_y] = area.half_sides(pattern);
         let color = [color.r, color.g, color.b];
-        let per_column = color.map(|c| step(c.u, area.x1 - area.x0));
-        let per_row = color.map(|c| step(c.v, area.y1 - area.y0));
+        let per_column = color.map(|c| step(c.u, half_x));
+        let per_row = color.map(|c| step(c.v, half_y));
         let mut along = [0.0; SampleGrid::TILE as usize * CHANNELS];
-        let steps = per_column.map(|step| step as f32);
-        let columns = (area.x1 - area.x0) as usize;
-        for (column, sample) in along.as_chunks_mut::<CHANNELS>().0.iter_mut().enumerate().take(columns) {
-            *sample = steps.map(|step| step * column as f32);
+        let (right, down) = (per_column.map(|step| step as f32), per_row.map(|step| step as f32));
+        for (x, sample) in (area.x0..area.x1).zip(along.as_chunks_mut::<CHANNELS>().0) {
+            let (column, shift) = ((x - area.x0) as f32, pattern.shift(x) as f32);
+            *sample = from_fn(|i| right[i] * column - down[i] * shift);
         }
-        Self { area, color, per_column, per_row, along, darkest }
+        Self { area, pattern: *pattern, color: color.map(|c| c.c), per_column, per_row, along, darkest }
     }
 
     /// Fills samples of row `y` from column `x` on.
     pub(crate) fn fill(&self, [x, y]: [u32; 2], samples: &mut [[f32; CHANNELS]]) {
-        let start = self.start([x, y]);
+        let start = self.start(y);
         let (numbers, darkest) = (samples.as_flattened_mut(), self.darkest);
-        let along = &self.along[..numbers.len()];
+        let along = &self.along[(x - self.area.x0) as usize * CHANNELS..][..numbers.len()];
         SimdLevel::default().run(
             #[inline(always)]
             || {
@@ -66,22 +69,16 @@ impl LinearFill {
         );
     }
 
-    /// The colour of the `column`th sample from one on whose colour is `start`.
-    pub(crate) fn color(&self, start: [f32; CHANNELS], column: usize) -> [f32; CHANNELS] {
-        from_fn(|i| (start[i] + self.along[column * CHANNELS + i]).max(self.darkest))
+    /// The colour of the sample in column `x` of the row that starts with `start`.
+    pub(crate) fn color(&self, start: [f32; CHANNELS], x: u32) -> [f32; CHANNELS] {
+        let along = &self.along[(x - self.area.x0) as usize * CHANNELS..];
+        from_fn(|i| (start[i] + along[i]).max(self.darkest))
     }
 
-    /// The colour of a sample.
-    pub(crate) fn at(&self, sample: [u32; 2]) -> [f32; CHANNELS] {
-        self.start(sample).map(|channel| channel.max(self.darkest))
-    }
-
-    /// The colour at a sample, however dark.
-    pub(crate) fn start(&self, [x, y]: [u32; 2]) -> [f32; CHANNELS] {
-        let (right, down) = (f64::from(x - self.area.x0), f64::from(y - self.area.y0));
-        from_fn(|i| {
-            let Taylor { c, u, v, .. } = self.color[i];
-            (c - u - v + self.per_column[i] * right + self.per_row[i] * down) as f32
-        })
+    /// What the first sample of row `y` would have, however dark, if it lay in the middle of the row.
+    pub(crate) fn start(&self, y: u32) -> [f32; CHANNELS] {
+        let [x, middle] = self.area.middle();
+        let (right, down) = (f64::from(self.area.x0) + self.pattern.shift(y) - x, f64::from(y) - middle);
+        from_fn(|i| (self.color[i] + self.per_column[i] * right + self.per_row[i] * down) as f32)
     }
 }

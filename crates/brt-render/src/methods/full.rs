@@ -52,7 +52,7 @@ pub(crate) fn trace_row(worker: &mut TileWorker, tile: &Tile, y: u32) {
 pub(crate) fn render_reference(worker: &mut TileWorker, tile: &Tile, scene: &PreparedScene, max_depth: u32) {
     for y in 0..tile.height {
         for x in 0..tile.width {
-            let ray = worker.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+            let ray = worker.camera.sample_ray([tile.x + x, tile.y + y]);
             let index = tile.index(x, y);
             let background = worker.tracer.color_of_nothing();
             let (color, share) = reference_sample(scene, &ray, max_depth, background);

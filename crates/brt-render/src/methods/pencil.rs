@@ -8,6 +8,7 @@ use brt_geometry::Taylor;
 use brt_image::Rgb;
 
 use super::worker::{First, TileWorker};
+use crate::filling::LinearFill;
 use crate::products::{Area, NOTHING, SampleState, StageClock, Tile};
 use crate::tracing::{PencilTracer, constant};
 
@@ -76,10 +77,9 @@ fn even_color(
     tolerance: f64,
 ) -> Option<Rgb<Taylor>> {
     let primitive = only_primitive(worker, tile, area)?;
-    let [x, y] = area.coordinates();
     let color = match primitive {
         NOTHING => constant(worker.tracer.color_of_nothing()),
-        primitive => tracer.color(&worker.camera.ray(x, y), primitive)?,
+        primitive => tracer.color(&worker.camera.block(&area), primitive)?,
     };
     let remainder = color.r.e.max(color.g.e).max(color.b.e);
     // Written so that NaN is refused.
@@ -94,18 +94,11 @@ fn only_primitive(worker: &TileWorker, tile: &Tile, area: Area) -> Option<u32> {
 }
 
 fn fill(worker: &mut TileWorker, tile: &Tile, area: Area, color: &Rgb<Taylor>) {
-    // From −1 at the first sample to 1 at the last.
-    let place = |i: u32, a: u32, b: u32| {
-        if b - a > 1 { f64::from(2 * (i - a)) / f64::from(b - a - 1) - 1.0 } else { 0.0 }
-    };
+    let fill = LinearFill::new(area, &worker.camera.pattern, color, f32::NEG_INFINITY);
     for y in area.y0..area.y1 {
-        let v = place(y, area.y0, area.y1);
-        for x in area.x0..area.x1 {
-            let u = place(x, area.x0, area.x1);
-            let at = |c: Taylor| (c.c + c.u * u + c.v * v) as f32;
-            let index = tile.index(x - tile.x, y - tile.y);
-            worker.samples.color[index] = [at(color.r), at(color.g), at(color.b)];
-            worker.samples.state[index] = SampleState::Filled;
-        }
+        let start = tile.index(area.x0 - tile.x, y - tile.y);
+        let run = start..start + (area.x1 - area.x0) as usize;
+        fill.fill([area.x0, y], &mut worker.samples.color[run.clone()]);
+        worker.samples.state[run].fill(SampleState::Filled);
     }
 }

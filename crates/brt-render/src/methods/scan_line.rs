@@ -56,7 +56,7 @@ fn lights_seen_from(
         return 0;
     }
     let here = |x: u32| {
-        let ray = worker.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+        let ray = worker.camera.sample_ray([tile.x + x, tile.y + y]);
         let t = scene.primitives[primitive as usize].first_hit(&ray, Start::Elsewhere).t;
         let Interaction { point, geometric_normal, .. } = Interaction::at(scene, &ray, primitive, t);
         (point, geometric_normal)

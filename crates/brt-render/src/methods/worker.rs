@@ -80,7 +80,7 @@ impl<'a> TileWorker<'a> {
             First::Searched => Sight::Unknown,
             First::Shown => Sight::Met(self.perspective.primitive[index]),
         };
-        let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+        let ray = self.camera.sample_ray([tile.x + x, tile.y + y]);
         let traced = self.tracer.trace(&ray, first, guide);
         self.samples.color[index] = traced.color.to_f32();
         if let Some(alpha) = &mut self.samples.alpha {
@@ -127,9 +127,12 @@ impl<'a> TileWorker<'a> {
                     samples.len(),
                     #[inline(always)]
                     |packet| {
-                        let at = |lane: usize| samples[(packet * LANES + lane).min(last)];
-                        let x = Lanes::from_fn(|lane| f64::from(tile.x + at(lane)[0]));
-                        let y = Lanes::from_fn(|lane| f64::from(tile.y + at(lane)[1]));
+                        let at = |lane: usize| {
+                            let [x, y] = samples[(packet * LANES + lane).min(last)];
+                            camera.pattern.position([tile.x + x, tile.y + y])
+                        };
+                        let x = Lanes::from_fn(|lane| at(lane)[0]);
+                        let y = Lanes::from_fn(|lane| at(lane)[1]);
                         let Ray { origin, direction, .. } = camera.ray(x, y);
                         LaneRays { origin, direction }
                     },
@@ -165,7 +168,7 @@ impl<'a> TileWorker<'a> {
     /// Traces a sample for nothing but its history. Its rays are not counted.
     pub(super) fn note_history_of(&mut self, tile: &Tile, x: u32, y: u32) {
         let index = tile.index(x, y);
-        let ray = self.camera.ray(f64::from(tile.x + x), f64::from(tile.y + y));
+        let ray = self.camera.sample_ray([tile.x + x, tile.y + y]);
         let first = Sight::Met(self.perspective.primitive[index]);
         let counted = self.tracer.take_counters();
         self.samples.history[index] = self.tracer.trace(&ray, first, Unguided).history;

@@ -1,5 +1,7 @@
 //! A Z-buffer for the samples of a small block.
 
+use std::array::from_fn;
+
 use brt_geometry::{Real, Start};
 
 use super::forms::{FlatForms, Forms, LinearForm, RoundForms};
@@ -80,7 +82,7 @@ impl<'a> DepthBuffer<'a> {
         let primitive = &self.scene.primitives[id as usize];
         for y in part.y0..part.y1 {
             for x in part.x0..part.x1 {
-                let hit = primitive.first_hit(&self.camera.ray(f64::from(x), f64::from(y)), Start::Elsewhere);
+                let hit = primitive.first_hit(&self.camera.sample_ray([x, y]), Start::Elsewhere);
                 if hit.found {
                     self.keep_nearer(x, y, id, 1.0 / hit.t);
                 }
@@ -98,15 +100,14 @@ impl<'a> DepthBuffer<'a> {
             return self.draw_exactly(part, id);
         }
         for y in part.y0..part.y1 {
-            let row = f64::from(y - tile.y);
-            let column = |i: usize| f64::from(self.area.x0 - tile.x) + i as f64;
-            let depth: [f64; SIDE] = std::array::from_fn(|i| forms.inverse_depth.at(column(i), row));
+            let [column, row] = self.positions(y, [tile.x, tile.y]);
+            let depth: [f64; SIDE] = from_fn(|i| forms.inverse_depth.at(column[i], row[i]));
             // Inside if the first is positive, outside if the second is negative.
             let mut inside = depth.map(|d| d - forms.least);
             let mut outside = depth.map(|d| d + forms.least);
             for edge in &self.crossing {
                 for i in 0..SIDE {
-                    let side = edge.at(column(i), row);
+                    let side = edge.at(column[i], row[i]);
                     inside[i] = Real::min(inside[i], side - edge.margin);
                     outside[i] = Real::min(outside[i], side + edge.margin);
                 }
@@ -122,13 +123,21 @@ impl<'a> DepthBuffer<'a> {
         }
     }
 
+    /// Where the samples of a row of the area lie, seen from a sample's place.
+    #[inline(always)]
+    fn positions(&self, y: u32, [from_x, from_y]: [u32; 2]) -> [[f64; SIDE]; 2] {
+        let (pattern, x0) = (&self.camera.pattern, self.area.x0);
+        let column = f64::from(x0 - from_x) + pattern.shift(y);
+        let row = f64::from(y - from_y);
+        [from_fn(|i| column + i as f64), from_fn(|i| row - pattern.shift(x0 + i as u32))]
+    }
+
     fn draw_round(&mut self, tile: &Tile, part: Area, id: u32, forms: &RoundForms) {
         for y in part.y0..part.y1 {
-            let first = f64::from(self.area.x0 - tile.x);
-            let b: [f64; SIDE] = std::array::from_fn(|i| forms.b.at(first + i as f64, f64::from(y - tile.y)));
-            let dd: [f64; SIDE] = std::array::from_fn(|i| {
-                RoundForms::dd(self.camera, f64::from(self.area.x0) + i as f64, f64::from(y))
-            });
+            let [column, row] = self.positions(y, [tile.x, tile.y]);
+            let b: [f64; SIDE] = from_fn(|i| forms.b.at(column[i], row[i]));
+            let [x, y_position] = self.positions(y, [0, 0]);
+            let dd: [f64; SIDE] = from_fn(|i| RoundForms::dd(self.camera, x[i], y_position[i]));
             for x in part.x0..part.x1 {
                 let i = (x - self.area.x0) as usize;
                 let discriminant = b[i] * b[i] - forms.c.c * dd[i];
@@ -161,7 +170,7 @@ impl<'a> DepthBuffer<'a> {
 
     /// The primitive that a sample's ray meets first.
     fn nearest_by_ray<'b>(&self, x: u32, y: u32, outlines: impl Iterator<Item = &'b Outline>) -> u32 {
-        let ray = self.camera.ray(f64::from(x), f64::from(y));
+        let ray = self.camera.sample_ray([x, y]);
         let (mut nearest, mut t) = (NOTHING, f64::INFINITY);
         for outline in outlines {
             let hit = self.scene.primitives[outline.primitive as usize].first_hit(&ray, Start::Elsewhere);

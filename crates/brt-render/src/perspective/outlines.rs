@@ -160,7 +160,9 @@ impl Seen {
             [lo, hi]
         };
         let sample = |position: f64| 0.5 * (position / camera.half_sample - camera.first[axis]);
-        [sample(lo) - PROJECTION_MARGIN, sample(hi) + PROJECTION_MARGIN]
+        // A sample may lie that far beside its column or row.
+        let margin = PROJECTION_MARGIN + camera.pattern.reach();
+        [sample(lo) - margin, sample(hi) + margin]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cell::LazyCell;
 
-use brt_geometry::{Ray, Start, Taylor};
+use brt_geometry::Start;
 
 use super::block_hit::BlockHit;
 use super::depth_buffer::{DepthBuffer, SIDE};
@@ -74,8 +74,7 @@ impl<'a> Painter<'a> {
     fn keep_nearer(&self, part: Area, first: u32, id: u32, nearest: &mut [(f64, u32)]) {
         let primitive = &self.scene.primitives[id as usize];
         for x in part.x0..part.x1 {
-            let hit =
-                primitive.first_hit(&self.camera.ray(f64::from(x), f64::from(part.y0)), Start::Elsewhere);
+            let hit = primitive.first_hit(&self.camera.sample_ray([x, part.y0]), Start::Elsewhere);
             let at = &mut nearest[(x - first) as usize];
             // Primitives come in the order of ids: of equally near ones the first stays.
             if hit.found && hit.t < at.0 {
@@ -88,13 +87,13 @@ impl<'a> Painter<'a> {
     fn start_with(&mut self, tile: &Tile, area: Area, outlines: &[Outline]) {
         self.forms.clear();
         self.candidates.clear();
-        let rays = block_of_rays(self.camera, area);
+        let rays = self.camera.block(&area);
         for outline in outlines {
             let samples = |part: Area| (part.x1 - part.x0) * (part.y1 - part.y0);
             let pays = self.camera.is_perspective
                 && outline.clip(&area).is_some_and(|part| samples(part) >= LEAST_SAMPLES_FOR_FORMS);
             let primitive = &self.scene.primitives[outline.primitive as usize];
-            let forms = pays.then(|| Forms::new(primitive, &rays, tile)).flatten();
+            let forms = pays.then(|| Forms::new(primitive, &rays, tile, &self.camera.pattern)).flatten();
             let place = if forms.is_some() { self.forms.len() as u32 } else { NO_FORMS };
             self.forms.extend(forms);
             self.candidates.push(Candidate { outline: *outline, forms: place });
@@ -129,7 +128,7 @@ impl<'a> Painter<'a> {
     fn keep_what_may_be_seen(&mut self, area: Area, first: usize, tile: &Tile) {
         // Most need no rays.
         let camera = self.camera;
-        let rays = LazyCell::new(move || block_of_rays(camera, area));
+        let rays = LazyCell::new(move || camera.block(&area));
         self.hits.clear();
         for Candidate { outline, forms } in &self.candidates[first..] {
             let hit = match self.forms.get(*forms as usize) {
@@ -171,12 +170,6 @@ impl<'a> Painter<'a> {
             canvas.fill_row(area.x0, y, self.buffer.row(y));
         }
     }
-}
-
-/// The rays of all samples of an area.
-fn block_of_rays(camera: &PreparedCamera, area: Area) -> Ray<Taylor> {
-    let [x, y] = area.coordinates();
-    camera.ray(x, y)
 }
 
 /// Where a tile is painted.

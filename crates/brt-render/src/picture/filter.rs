@@ -9,7 +9,8 @@ pub enum Filter {
     /// The mean of the pixel's own samples.
     #[default]
     Box,
-    /// A Gaussian of standard deviation ½ pixel, cut off 1 pixel from the pixel's middle in each direction.
+    /// A Gaussian of standard deviation ½ pixel, cut off 1 pixel from the pixel's middle in each direction. Samples weigh
+    /// by column and row, without their shifts from there: these cancel over a pixel.
     Gaussian,
 }
 

@@ -157,7 +157,7 @@ impl LayerSources<'_> {
         }
         let x = self.tile.x + index as u32 % self.tile.width;
         let y = self.tile.y + index as u32 / self.tile.width;
-        let ray = self.camera.ray(f64::from(x), f64::from(y));
+        let ray = self.camera.sample_ray([x, y]);
         let hit = self.scene.primitives[primitive as usize].first_hit(&ray, Start::Elsewhere);
         let Vec3 { x, y, z } = Interaction::at(self.scene, &ray, primitive, hit.t).normal;
         Some((hit.t as f32, [x as f32, y as f32, z as f32]))

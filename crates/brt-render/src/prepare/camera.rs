@@ -1,9 +1,9 @@
 //! From sample indices to rays.
 
-use brt_geometry::{Ray, Real, Vec3};
+use brt_geometry::{Ray, Real, Taylor, Vec3};
 use brt_scene::{Camera, Projection};
 
-use crate::products::SampleGrid;
+use crate::products::{Area, SampleGrid, SamplePattern};
 
 /// Rays of a picture. A ray's direction has length 1 along the view, so distances along it are depths.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,8 @@ pub struct PreparedCamera {
     pub(crate) first: [f64; 2],
     /// Half a sample in units of `right` and `up` at distance 1 (perspective) or in scene units.
     pub(crate) half_sample: f64,
+    /// Where samples lie in the grid.
+    pub(crate) pattern: SamplePattern,
 }
 
 impl PreparedCamera {
@@ -37,10 +39,24 @@ impl PreparedCamera {
             is_perspective,
             first: [1.0 - wide, 1.0 - high],
             half_sample: half_extent / wide.min(high),
+            pattern: grid.pattern(),
         }
     }
 
-    /// The ray through the sample in column `x` and row `y` of the grid (through its middle).
+    /// The ray through a sample, given its column and row.
+    #[inline(always)]
+    pub(crate) fn sample_ray(&self, sample: [u32; 2]) -> Ray {
+        let [x, y] = self.pattern.position(sample);
+        self.ray(x, y)
+    }
+
+    /// The rays through all samples of an area.
+    pub(crate) fn block(&self, area: &Area) -> Ray<Taylor> {
+        let [x, y] = area.coordinates(&self.pattern);
+        self.ray(x, y)
+    }
+
+    /// The ray through a position of the grid, in columns and rows from the middle of the first sample's place.
     #[inline(always)]
     pub fn ray<R: Real>(&self, x: R, y: R) -> Ray<R> {
         let two = R::constant(2.0);

@@ -2,6 +2,8 @@
 
 use brt_geometry::Taylor;
 
+use super::SamplePattern;
+
 /// A rectangle of samples, counted over the whole picture; `x1` and `y1` not included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Area {
@@ -49,15 +51,22 @@ impl Area {
         }
     }
 
-    /// Column and row of all its samples as models: from −1 at the first sample to 1 at the last.
-    pub(crate) fn coordinates(&self) -> [Taylor; 2] {
-        // Halves of small integers: exact.
+    /// Positions of all its samples as models: from −1, where the first may be, to 1, where the last may be.
+    pub(crate) fn coordinates(&self, pattern: &SamplePattern) -> [Taylor; 2] {
+        let ([x, y], [half_x, half_y]) = (self.middle(), self.half_sides(pattern));
+        [Taylor::linear(x, half_x, 0.0), Taylor::linear(y, 0.0, half_y)]
+    }
+
+    /// Its middle as a position. Halves of integers are exact, as are shifts.
+    pub(crate) fn middle(&self) -> [f64; 2] {
         let middle = |a: u32, b: u32| 0.5 * (f64::from(a) + f64::from(b - 1));
-        let half = |a: u32, b: u32| 0.5 * f64::from(b - 1 - a);
-        [
-            Taylor::linear(middle(self.x0, self.x1), half(self.x0, self.x1), 0.0),
-            Taylor::linear(middle(self.y0, self.y1), 0.0, half(self.y0, self.y1)),
-        ]
+        [middle(self.x0, self.x1), middle(self.y0, self.y1)]
+    }
+
+    /// How far from its middle samples may be.
+    pub(crate) fn half_sides(&self, pattern: &SamplePattern) -> [f64; 2] {
+        let half = |a: u32, b: u32| 0.5 * f64::from(b - 1 - a) + pattern.reach();
+        [half(self.x0, self.x1), half(self.y0, self.y1)]
     }
 }
 
@@ -74,7 +83,11 @@ mod tests {
 
     #[test]
     fn coordinates_reach_from_the_first_sample_to_the_last() {
-        let [x, y] = Area { x0: 2, y0: 7, x1: 5, y1: 8 }.coordinates();
+        let area = Area { x0: 2, y0: 7, x1: 5, y1: 8 };
+        let [x, y] = area.coordinates(&SamplePattern::new(1));
         assert_eq!((x.c, x.u, y.c, y.v), (3.0, 1.0, 7.0, 0.0));
+        // Two by two to a pixel, each shifted by a quarter.
+        let [x, y] = area.coordinates(&SamplePattern::new(2));
+        assert_eq!((x.c, x.u, y.c, y.v), (3.0, 1.25, 7.0, 0.25));
     }
 }

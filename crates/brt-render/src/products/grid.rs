@@ -1,5 +1,6 @@
 //! The grid of samples over a picture.
 
+use super::SamplePattern;
 use crate::settings::Samples;
 
 /// Samples of the whole picture: `per_side` × `per_side` of them in each pixel.
@@ -30,6 +31,11 @@ impl SampleGrid {
     /// Rows of samples.
     pub fn samples_high(&self) -> u32 {
         self.height * self.per_side
+    }
+
+    /// Where samples lie in it.
+    pub(crate) fn pattern(&self) -> SamplePattern {
+        SamplePattern::new(self.per_side)
     }
 
     /// Side of a whole tile in pixels.

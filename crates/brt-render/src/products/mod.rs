@@ -5,6 +5,7 @@ mod block;
 mod certificate;
 mod grid;
 mod history;
+mod pattern;
 mod perspective_image;
 mod prepared;
 mod stats;
@@ -17,6 +18,7 @@ pub use certificate::{Certificate, CertificateCounts, Tries};
 pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;
+pub(crate) use pattern::SamplePattern;
 pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
 pub(crate) use prepared::{
     Beam, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedLight, PreparedMaterial, PrimitiveInfo,

@@ -42,8 +42,7 @@ impl<'a> Follower<'a> {
 
     /// Proves what can be proven of a block, given what is known already.
     pub(super) fn follow(&mut self, area: Area, history: &mut KnownHistory) -> Outcome {
-        let [x, y] = area.coordinates();
-        let mut block = RayBlock::new(self.camera.ray(x, y));
+        let mut block = RayBlock::new(self.camera.block(&area));
         let mut from = FROM_NOWHERE;
         let mut way = Way { colors: [None; MOST_LEVELS], is_bounded: true, failed: None };
         for (depth, level) in history.levels.iter_mut().enumerate() {

@@ -112,7 +112,7 @@ impl Certified<'_, '_> {
     pub(super) fn fill(&mut self, area: Area, parts: Parts, primitive: u32, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
         self.note_histories(area, parts, primitive);
-        let fill = LinearFill::new(area, color, self.follower.scene.darkest);
+        let fill = LinearFill::new(area, &self.worker.camera.pattern, color, self.follower.scene.darkest);
         self.for_each_area(area, parts, |this, part, is_whole| {
             let (x, y) = (part.x0 - this.tile.x, part.y0 - this.tile.y);
             let starts = (0..part.y1 - part.y0).map(|row| this.tile.index(x, y + row));
@@ -125,11 +125,11 @@ impl Certified<'_, '_> {
                     state.fill(SampleState::Filled);
                     continue;
                 }
-                let start = fill.start([part.x0, row]);
+                let start = fill.start(row);
                 let shown = &this.worker.perspective.primitive[run];
-                for (i, (color, state)) in color.iter_mut().zip(state).enumerate() {
-                    if shown[i] == primitive {
-                        (*color, *state) = (fill.color(start, i), SampleState::Filled);
+                for (((x, shown), color), state) in (part.x0..).zip(shown).zip(color).zip(state) {
+                    if *shown == primitive {
+                        (*color, *state) = (fill.color(start, x), SampleState::Filled);
                     }
                 }
             }

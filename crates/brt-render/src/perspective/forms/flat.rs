@@ -3,7 +3,7 @@
 use brt_geometry::{Plane, Ray, Real, SMALLEST_ANGLE, Taylor, Vec3, edge_functions};
 
 use super::LinearForm;
-use crate::products::Tile;
+use crate::products::{SamplePattern, Tile};
 
 /// The forms of a flat primitive.
 #[derive(Clone, Debug)]
@@ -18,11 +18,17 @@ pub(crate) struct FlatForms {
 
 impl FlatForms {
     /// The forms over a tile whose rays leave one eye; `None` for what is seen from its own plane.
-    pub(super) fn new(plane: &Plane, corners: &[Vec3], ray: &Ray<Taylor>, tile: &Tile) -> Option<Self> {
+    pub(super) fn new(
+        plane: &Plane,
+        corners: &[Vec3],
+        ray: &Ray<Taylor>,
+        tile: &Tile,
+        pattern: &SamplePattern,
+    ) -> Option<Self> {
         // Farther away a hit might not count any more (`FARTHEST`).
         const FAR: f64 = 1e200;
         let ahead = plane.ahead(ray);
-        let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile);
+        let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile, pattern);
         let longest = ray.dd.range()[1].sqrt();
         let least = 2.0 * SMALLEST_ANGLE * longest / ahead.c.abs() + 2.0 * inverse_depth.margin;
         // Written so that NaN is refused.
@@ -32,7 +38,7 @@ impl FlatForms {
         // Ahead of the eye the plane's normal has one direction along all rays: seen from the front, edges run the
         // one way round, else the other.
         let towards = if ahead.c < 0.0 { Taylor::constant(-1.0) } else { Taylor::constant(1.0) };
-        let side = |edge: Taylor| LinearForm::of(edge * towards, tile);
+        let side = |edge: Taylor| LinearForm::of(edge * towards, tile, pattern);
         let edges: Vec<LinearForm> = match corners {
             [] => Vec::new(),
             corners => edge_functions(corners, ray).map(side).collect(),

@@ -1,10 +1,10 @@
-//! Numbers linear in the sample's column and row.
+//! Numbers linear in a sample's position.
 
 use brt_geometry::Taylor;
 
-use crate::products::{Area, Tile};
+use crate::products::{Area, SamplePattern, Tile};
 
-/// A number linear in column and row, counted from the first sample of a tile.
+/// A number linear in the position, counted from where the first sample of a tile has its place.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::perspective) struct LinearForm {
     base: f64,
@@ -12,18 +12,23 @@ pub(in crate::perspective) struct LinearForm {
     row: f64,
     /// A ray through the sample computes a number that differs from this one by less.
     pub(in crate::perspective) margin: f64,
+    pattern: SamplePattern,
 }
 
 impl LinearForm {
-    pub(super) fn of(model: Taylor, tile: &Tile) -> Self {
-        let slope =
-            |change: f64, count: u32| if count > 1 { 2.0 * change / f64::from(count - 1) } else { 0.0 };
+    /// A model over all samples of a tile.
+    pub(super) fn of(model: Taylor, tile: &Tile, pattern: &SamplePattern) -> Self {
+        let area = Area { x0: 0, y0: 0, x1: tile.width, y1: tile.height };
+        let ([middle_x, middle_y], [half_x, half_y]) = (area.middle(), area.half_sides(pattern));
+        let slope = |change: f64, half: f64| if half > 0.0 { change / half } else { 0.0 };
+        let (column, row) = (slope(model.u, half_x), slope(model.v, half_y));
         let rounding = 16.0 * f64::EPSILON * (model.c.abs() + model.u.abs() + model.v.abs());
         Self {
-            base: model.c - model.u - model.v,
-            column: slope(model.u, tile.width),
-            row: slope(model.v, tile.height),
+            base: model.c - column * middle_x - row * middle_y,
+            column,
+            row,
             margin: model.e + rounding,
+            pattern: *pattern,
         }
     }
 
@@ -34,12 +39,11 @@ impl LinearForm {
 
     /// Over an area of the tile.
     pub(in crate::perspective) fn over(&self, area: &Area, tile: &Tile) -> Taylor {
-        let middle = |a: u32, b: u32, first: u32| 0.5 * (f64::from(a - first) + f64::from(b - 1 - first));
-        let half = |a: u32, b: u32| 0.5 * f64::from(b - 1 - a);
+        let ([x, y], [half_x, half_y]) = (area.middle(), area.half_sides(&self.pattern));
         Taylor {
-            c: self.at(middle(area.x0, area.x1, tile.x), middle(area.y0, area.y1, tile.y)),
-            u: self.column * half(area.x0, area.x1),
-            v: self.row * half(area.y0, area.y1),
+            c: self.at(x - f64::from(tile.x), y - f64::from(tile.y)),
+            u: self.column * half_x,
+            v: self.row * half_y,
             e: self.margin,
         }
     }

@@ -1,4 +1,4 @@
-//! What decides on a hit, written as functions of the sample's column and row.
+//! What decides on a hit, written as functions of a sample's position.
 //!
 //! For rays that leave one eye, the predicates of flat primitives are linear and those of spheres quadratic. The forms
 //! of a tile are read off the very predicates, evaluated over the whole tile as Taylor models: what is linear leaves
@@ -15,7 +15,7 @@ pub(super) use round::RoundForms;
 
 use brt_geometry::{Primitive, Ray, Taylor};
 
-use crate::products::Tile;
+use crate::products::{SamplePattern, Tile};
 
 /// The forms of a primitive over a tile.
 #[derive(Clone, Debug)]
@@ -26,12 +26,17 @@ pub(super) enum Forms {
 
 impl Forms {
     /// The forms over a tile whose rays leave one eye, for primitives that have them there.
-    pub(super) fn new(primitive: &Primitive, ray: &Ray<Taylor>, tile: &Tile) -> Option<Self> {
+    pub(super) fn new(
+        primitive: &Primitive,
+        ray: &Ray<Taylor>,
+        tile: &Tile,
+        pattern: &SamplePattern,
+    ) -> Option<Self> {
         if let Primitive::Sphere(sphere) = primitive {
-            return RoundForms::new(sphere, ray, tile).map(Self::Round);
+            return RoundForms::new(sphere, ray, tile, pattern).map(Self::Round);
         }
         let (plane, corners) = primitive.flat()?;
-        FlatForms::new(plane, corners, ray, tile).map(Self::Flat)
+        FlatForms::new(plane, corners, ray, tile, pattern).map(Self::Flat)
     }
 
     /// A ray's inverse depth differs by less.

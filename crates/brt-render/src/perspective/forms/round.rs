@@ -4,7 +4,7 @@ use brt_geometry::{Ray, Real, Sphere, Taylor};
 
 use super::LinearForm;
 use crate::prepare::PreparedCamera;
-use crate::products::Tile;
+use crate::products::{SamplePattern, Tile};
 
 /// The forms of a sphere seen from outside.
 #[derive(Clone, Debug)]
@@ -25,10 +25,15 @@ const DEPTH_ROUNDING: f64 = 1e-6;
 
 impl RoundForms {
     /// The forms over a tile whose rays leave one eye; `None` from inside the sphere and from next to its surface.
-    pub(super) fn new(sphere: &Sphere, ray: &Ray<Taylor>, tile: &Tile) -> Option<Self> {
+    pub(super) fn new(
+        sphere: &Sphere,
+        ray: &Ray<Taylor>,
+        tile: &Tile,
+        pattern: &SamplePattern,
+    ) -> Option<Self> {
         let from_center = ray.origin - sphere.center.lift();
         let b_model = from_center.dot(ray.direction);
-        let b = LinearForm::of(b_model, tile);
+        let b = LinearForm::of(b_model, tile, pattern);
         let c = from_center.length_squared() - Taylor::constant(sphere.radius * sphere.radius);
         let [lo, hi] = b_model.range();
         let greatest_b = hi.abs().max(lo.abs());
@@ -50,7 +55,7 @@ impl RoundForms {
         (discriminant.sqrt() - b) * R::constant(self.inverse_c)
     }
 
-    /// Square of the length of the ray through a sample, next to rounding.
+    /// Square of the length of the ray through a position, next to rounding.
     #[inline(always)]
     pub(in crate::perspective) fn dd(camera: &PreparedCamera, x: f64, y: f64) -> f64 {
         let across = (2.0 * x + camera.first[0]) * camera.half_sample;

@@ -72,8 +72,7 @@ impl Facets {
         area: Area,
         ids: &[u32],
     ) -> Option<Self> {
-        let [x, y] = area.coordinates();
-        let ray = camera.ray(x, y);
+        let ray = camera.block(&area);
         let mut all = Vec::with_capacity(ids.len());
         let (mut reach, mut weight_error) = (size_of(&ray.origin), 0.0_f64);
         for &id in ids {

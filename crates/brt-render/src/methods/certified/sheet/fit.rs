@@ -1,6 +1,6 @@
 //! One plane and one linear normal for all triangles of a sheet, and how far they are off.
 
-use brt_geometry::{COORDINATE_ROUNDING, Ray, Real, Taylor, Vec3, vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Real, Taylor, Vec3, vec3};
 
 use super::facet::{Facet, Facets};
 use crate::prepare::PreparedCamera;
@@ -25,8 +25,7 @@ pub(super) fn fitted<'a>(
     let plane = TangentPlane::of(some)?;
     let lines = plane.lines(some);
     let deviations = plane.deviations(some, &lines, facets.weight_error);
-    let [x, y] = area.coordinates();
-    let ray: Ray<Taylor> = camera.ray(x, y);
+    let ray = camera.block(&area);
 
     // Where the rays meet the fitted plane, give or take how far corners are off.
     let [height, slope, other_slope] = lines[HEIGHT];

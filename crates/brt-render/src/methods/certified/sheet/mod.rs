@@ -161,7 +161,7 @@ impl Certified<'_, '_> {
     /// rounding may decide what they meet.
     fn fill_facets(&mut self, area: Area, facets: &Facets, only: Option<&Facet>, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
-        let fill = LinearFill::new(area, color, self.follower.scene.darkest);
+        let fill = LinearFill::new(area, &self.worker.camera.pattern, color, self.follower.scene.darkest);
         let (camera, tile) = (self.worker.camera, self.tile);
         let mut facet = only.unwrap_or(&facets.all[0]);
         let mut filled = Vec::with_capacity(area.sample_count() as usize);
@@ -172,7 +172,7 @@ impl Certified<'_, '_> {
                     _ => return,
                 }
             }
-            if facet.is_met_inside(&camera.ray(f64::from(x), f64::from(y)), facets.clearance) {
+            if facet.is_met_inside(&camera.sample_ray([x, y]), facets.clearance) {
                 filled.push([x - tile.x, y - tile.y]);
             }
         });
@@ -182,7 +182,7 @@ impl Certified<'_, '_> {
             }
             let index = tile.index(x, y);
             let samples = &mut self.worker.samples;
-            samples.color[index] = fill.at([tile.x + x, tile.y + y]);
+            samples.color[index] = fill.color(fill.start(tile.y + y), tile.x + x);
             samples.state[index] = SampleState::Filled;
         }
         self.lap(|seconds| &mut seconds.fill);
