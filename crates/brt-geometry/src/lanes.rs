@@ -118,12 +118,7 @@ impl Ray<Lanes> {
     #[inline(always)]
     pub fn lane(&self, i: usize) -> Ray {
         let (o, d) = (self.origin, self.direction);
-        Ray {
-            origin: vec3(o.x.0[i], o.y.0[i], o.z.0[i]),
-            direction: vec3(d.x.0[i], d.y.0[i], d.z.0[i]),
-            dd: self.dd.0[i],
-            inv_dd: self.inv_dd.0[i],
-        }
+        Ray::new(vec3(o.x.0[i], o.y.0[i], o.z.0[i]), vec3(d.x.0[i], d.y.0[i], d.z.0[i]))
     }
 }
 
@@ -169,6 +164,7 @@ impl Div for Lanes {
 
 impl Real for Lanes {
     type Mask = LaneMask;
+    type Across = ();
 
     #[inline(always)]
     fn constant(x: f64) -> Self {

@@ -5,7 +5,7 @@ use crate::{Hit, Mask, Plane, Primitive, Ray, Real, Sphere, Start, Taylor, Trile
 /// All rays of a block as one model, with their moment `o × d` (Plücker coordinates), by which edges and spheres are
 /// judged.
 ///
-/// On which side of the edge a–b a ray passes is `d · ((a − o) × (b − o))`, the same as
+/// On which side of the edge a–b a ray passes is the sign of `d · ((a − o) × (b − o))`, the same as
 /// `d · (a × b) + (o × d) · (b − a)`: an edge costs two products with constant vectors. How far a ray passes from a
 /// sphere's centre is the length of its moment around it over that of `d`: nothing large cancels. As these are not the
 /// expressions that single rays compute, a margin for the rounding of both is added.
@@ -22,7 +22,8 @@ pub struct RayBlock {
     origin_size: f64,
 }
 
-/// Roundings of an edge function or a discriminant by single rays, and of what stands for it here.
+/// Roundings of a side of an edge or of a discriminant by single rays, and of what stands for it here. (A determinant of
+/// corners seen along a ray, over the direction's greatest coordinate, is off by less than half of them.)
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
 impl RayBlock {
@@ -75,7 +76,7 @@ impl RayBlock {
     }
 
     fn sphere_hit(&self, sphere: &Sphere) -> Hit<Taylor> {
-        let Ray { origin, direction: d, dd, inv_dd } = self.ray;
+        let Ray { origin, direction: d, dd, inv_dd, .. } = self.ray;
         let offset = self.center - sphere.center;
         let across =
             |ay: f64, az: f64, dy: Taylor, dz: Taylor| dz * Taylor::constant(ay) - dy * Taylor::constant(az);
@@ -120,18 +121,30 @@ impl RayBlock {
     fn passes_inside(&self, corners: &[Vec3]) -> Trilean {
         let (mut left, mut right) = (Trilean::TRUE, Trilean::TRUE);
         let zero = Taylor::constant(0.0);
-        let mut a = corners[corners.len() - 1] - self.center;
-        for corner in corners {
-            let b = *corner - self.center;
-            let side = self.side_of(a, b);
+        for side in self.sides(corners) {
             left = left & side.ge(zero);
             right = right & side.le(zero);
             if !(left | right).any() {
                 return Trilean::FALSE;
             }
-            a = b;
         }
         left | right
+    }
+
+    /// On which side of each edge the rays pass: up to a factor, the same one for all edges that a ray passes, these
+    /// enclose what single rays compute.
+    #[inline(always)]
+    pub fn sides(&self, corners: &[Vec3]) -> impl Iterator<Item = Taylor> {
+        let mut a = corners[corners.len() - 1] - self.center;
+        corners.iter().map(
+            #[inline(always)]
+            move |corner| {
+                let b = *corner - self.center;
+                let side = self.side_of(a, b);
+                a = b;
+                side
+            },
+        )
     }
 
     #[inline(always)]

@@ -7,6 +7,7 @@
 //! Rules for code over `Real`: no branch on a comparison except through [`Mask::any`] and [`Mask::all`]; choose
 //! with [`Real::select`]; no fused multiply-add and no approximate reciprocal, so that every reading rounds alike.
 
+use crate::Across;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -34,6 +35,8 @@ pub trait Real:
 {
     /// What a comparison answers.
     type Mask: Mask;
+    /// What rays keep for seeing points along them ([`Ray`](crate::Ray)); nothing where that is found anew each time.
+    type Across: Across<Self>;
 
     /// The constant `x`.
     fn constant(x: f64) -> Self;
@@ -137,6 +140,7 @@ impl Mask for bool {
 
 impl Real for f64 {
     type Mask = bool;
+    type Across = [crate::Vec3; 2];
 
     #[inline(always)]
     fn constant(x: f64) -> Self {

@@ -183,6 +183,7 @@ impl Div for Taylor {
 
 impl Real for Taylor {
     type Mask = Trilean;
+    type Across = ();
 
     #[inline(always)]
     fn constant(x: f64) -> Self {

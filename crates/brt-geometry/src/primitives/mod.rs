@@ -11,7 +11,7 @@ pub use cone::Cone;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use plane::Plane;
-pub use polygon::{Polygon, Triangle, edge_functions};
+pub use polygon::{Polygon, Triangle};
 pub use sphere::Sphere;
 
 use crate::{Aabb, Hit, Ray, Real, Start, Vec3};

@@ -1,7 +1,9 @@
 //! Convex polygons and triangles: a plane and edge functions.
 //!
-//! The edge function of two corners, `d · ((a − o) × (b − o))`, tells on which side of the edge a ray passes (Plücker
-//! coordinates). Two polygons that share the edge compute exactly opposite values, so no ray slips between them.
+//! Corners are projected along the ray, to two coordinates; the determinant of two of them tells on which side of the
+//! edge between them the ray passes (Woop, Benthin, Wald 2013). What has a corner computes the same place for it, and the
+//! sign of a determinant is right or 0, since both its products round towards where they are. So no ray slips between
+//! polygons that share an edge, nor through a corner that several share.
 
 use crate::{Aabb, Hit, Mask, Plane, Ray, Real, Start, Vec3, polygon_plane};
 
@@ -74,7 +76,7 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
     let zero = R::constant(0.0);
     let mut left = R::Mask::TRUE;
     let mut right = R::Mask::TRUE;
-    for side in edge_functions(corners, ray) {
+    for side in sides(corners, ray) {
         left = left & side.ge(zero);
         right = right & side.le(zero);
         if !(left | right).any() {
@@ -86,13 +88,14 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
 
 /// On which side of each edge a ray passes: a flat primitive is met where no two of these differ in sign.
 #[inline(always)]
-pub fn edge_functions<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> impl Iterator<Item = R> {
-    let mut a = corners[corners.len() - 1].lift::<R>() - ray.origin;
+fn sides<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> impl Iterator<Item = R> {
+    let seen = ray.view_along();
+    let mut a = seen(corners[corners.len() - 1]);
     corners.iter().map(
         #[inline(always)]
         move |corner| {
-            let b = corner.lift::<R>() - ray.origin;
-            let side = ray.direction.dot(a.cross(b));
+            let b = seen(*corner);
+            let side = a[0] * b[1] - a[1] * b[0];
             a = b;
             side
         },

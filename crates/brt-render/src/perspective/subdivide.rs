@@ -2,7 +2,7 @@
 
 use std::cell::LazyCell;
 
-use brt_geometry::Start;
+use brt_geometry::{RayBlock, Start};
 
 use super::block_hit::BlockHit;
 use super::depth_buffer::{DepthBuffer, SIDE};
@@ -87,7 +87,7 @@ impl<'a> Painter<'a> {
     fn start_with(&mut self, tile: &Tile, area: Area, outlines: &[Outline]) {
         self.forms.clear();
         self.candidates.clear();
-        let rays = self.camera.block(&area);
+        let rays = RayBlock::new(self.camera.block(&area));
         for outline in outlines {
             let samples = |part: Area| (part.x1 - part.x0) * (part.y1 - part.y0);
             let pays = self.camera.is_perspective

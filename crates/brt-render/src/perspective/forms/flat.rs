@@ -1,6 +1,6 @@
 //! Flat primitives: inverse depth and edge functions are linear (Pineda 1988).
 
-use brt_geometry::{Plane, Ray, Real, SMALLEST_ANGLE, Taylor, Vec3, edge_functions};
+use brt_geometry::{Plane, RayBlock, Real, SMALLEST_ANGLE, Taylor, Vec3};
 
 use super::LinearForm;
 use crate::products::{SamplePattern, Tile};
@@ -21,12 +21,13 @@ impl FlatForms {
     pub(super) fn new(
         plane: &Plane,
         corners: &[Vec3],
-        ray: &Ray<Taylor>,
+        rays: &RayBlock,
         tile: &Tile,
         pattern: &SamplePattern,
     ) -> Option<Self> {
         // Farther away a hit might not count any more (`FARTHEST`).
         const FAR: f64 = 1e200;
+        let ray = &rays.ray;
         let ahead = plane.ahead(ray);
         let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile, pattern);
         let longest = ray.dd.range()[1].sqrt();
@@ -41,7 +42,7 @@ impl FlatForms {
         let side = |edge: Taylor| LinearForm::of(edge * towards, tile, pattern);
         let edges: Vec<LinearForm> = match corners {
             [] => Vec::new(),
-            corners => edge_functions(corners, ray).map(side).collect(),
+            corners => rays.sides(corners).map(side).collect(),
         };
         edges.iter().all(|edge| edge.margin.is_finite()).then_some(Self { inverse_depth, least, edges })
     }
