@@ -138,6 +138,11 @@ impl Shaft {
         }
     }
 
+    /// Is an edge certainly outside?
+    pub fn misses_edge(&self, from: Vec3, to: Vec3) -> bool {
+        self.misses_hull(&[from, to])
+    }
+
     fn misses_hull(&self, points: &[Vec3]) -> bool {
         self.faces().iter().any(|face| points.iter().all(|&p| face.excludes(p, 0.0)))
     }

@@ -7,7 +7,7 @@
 
 use brt_geometry::{BOX_MARGIN, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Trilean, Vec3};
 
-use super::MOST_CLASSIFIED;
+use super::{MOST_CLASSIFIED, hides_together};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
 use crate::products::PreparedLight;
@@ -38,7 +38,8 @@ pub(in crate::methods::certified) fn lighting(
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
     if !candidates.find(&shaft, inherited, MOST_LISTED, may_hide) {
-        return known;
+        let is_hidden = hides_together(candidates, &shaft, patch, light, ways);
+        return if is_hidden { KnownLighting::Hidden } else { known };
     }
     if candidates.found.len() > MOST_CLASSIFIED {
         return among_found(candidates);

@@ -6,12 +6,12 @@
 //! neighbours begin at that border, the point must be clear of it. (`q = p + s·L`, of height `s·rise` over A, is
 //! `s·nearer` less the point's clearance beyond the border: too near for its height.)
 
-use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Shaft, Vec3};
 
 use super::facet::{BORDERS, Border, Facet, Facets, extremes, sum};
 use super::{LEAST_SINE, greatest_length};
 use crate::methods::certified::candidates::Candidates;
-use crate::methods::certified::certificates::{before_light, is_beside, shaft_of};
+use crate::methods::certified::certificates::{before_light, hides_together, is_beside, shaft_of};
 use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
 
@@ -39,17 +39,34 @@ pub(super) fn light_of_sheet(
     if !patch.faces(ways)? || all_turn_away(facets, ways) {
         return Some(LightsOfSheet::Hidden);
     }
-    let climbs: Vec<_> = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect::<Option<_>>()?;
     let shaft = shaft_of(candidates, patch, light, ways)?;
+    if is_open(candidates, facets, patch, light, ways, shaft) {
+        return Some(LightsOfSheet::Seen);
+    }
+    hides_together(candidates, &shaft, patch, light, ways).then_some(LightsOfSheet::Hidden)
+}
+
+/// Does certainly nothing hide the light?
+fn is_open(
+    candidates: &mut Candidates,
+    facets: &Facets,
+    patch: &Patch,
+    light: &PreparedLight,
+    ways: &LightWays,
+    shaft: Shaft,
+) -> bool {
+    let climbs: Option<Vec<_>> = facets.all.iter().map(|facet| Climb::of(facet, ways)).collect();
     // Only shafts in a tree have room for how hits are rounded.
-    let shaft = (shaft.margin() > 0.0).then_some(shaft)?.above_points(facets.all[0].normal, &patch.point)?;
+    let shaft = (shaft.margin() > 0.0).then_some(shaft);
+    let shaft = shaft.and_then(|shaft| shaft.above_points(facets.all[0].normal, &patch.point));
+    let (Some(climbs), Some(shaft)) = (climbs, shaft) else { return false };
     let scene = candidates.scene;
     let may_hide = |id: u32| {
         scene.infos[id as usize].casts_shadow
             && !is_beside(&scene.primitives[id as usize], &patch.point, light)
     };
     if !candidates.find(&shaft, None, MOST_IN_THE_WAY, may_hide) {
-        return None;
+        return false;
     }
     let ray = Ray::new(patch.point, ways.towards);
     let block = match light {
@@ -68,7 +85,7 @@ pub(super) fn light_of_sheet(
         };
         facets.position(id).is_none() && !may_be_met()
     };
-    candidates.found.iter().all(is_clear).then_some(LightsOfSheet::Seen)
+    candidates.found.iter().all(is_clear)
 }
 
 /// Do all triangles turn away from the light?
