@@ -30,10 +30,12 @@ struct Sample {
     inverse_depth: f64,
     /// Could rounding have decided?
     is_doubtful: bool,
+    /// Does it lie on an edge, or nearly?
+    is_on_edge: bool,
 }
 
 impl Sample {
-    const EMPTY: Self = Self { nearest: NOTHING, inverse_depth: 0.0, is_doubtful: false };
+    const EMPTY: Self = Self { nearest: NOTHING, inverse_depth: 0.0, is_doubtful: false, is_on_edge: false };
 }
 
 impl<'a> DepthBuffer<'a> {
@@ -77,6 +79,13 @@ impl<'a> DepthBuffer<'a> {
         self.samples[(y - self.area.y0) as usize][..width].iter().map(|sample| sample.nearest)
     }
 
+    /// Samples on edges, by column and row of the picture.
+    pub(super) fn on_edges(&self) -> impl Iterator<Item = [u32; 2]> {
+        let Area { x0, y0, .. } = self.area;
+        let rows = (y0..).zip(&self.samples);
+        rows.flat_map(move |(y, row)| (x0..).zip(row).filter(|(_, s)| s.is_on_edge).map(move |(x, _)| [x, y]))
+    }
+
     /// Tests a primitive with the rays of a part of the area.
     fn draw_exactly(&mut self, part: Area, id: u32) {
         let primitive = &self.scene.primitives[id as usize];
@@ -97,7 +106,8 @@ impl<'a> DepthBuffer<'a> {
         self.crossing.extend(forms.edges.iter().filter(crosses));
         // A sample is outside if edges differ in sign: that takes one edge that it is certainly inside of.
         if !self.crossing.is_empty() && self.crossing.len() == forms.edges.len() {
-            return self.draw_exactly(part, id);
+            self.draw_exactly(part, id);
+            return self.find_on_edges(tile, part, &forms.edges);
         }
         for y in part.y0..part.y1 {
             let [column, row] = self.positions(y, [tile.x, tile.y]);
@@ -117,8 +127,21 @@ impl<'a> DepthBuffer<'a> {
                 if inside[i] > 0.0 {
                     self.keep_nearer(x, y, id, depth[i]);
                 } else if outside[i] >= 0.0 {
-                    self.sample(x, y).is_doubtful = true;
+                    let sample = self.sample(x, y);
+                    (sample.is_doubtful, sample.is_on_edge) = (true, true);
                 }
+            }
+        }
+    }
+
+    /// Finds the samples on edges where rays have told what is inside.
+    fn find_on_edges(&mut self, tile: &Tile, part: Area, edges: &[LinearForm]) {
+        for y in part.y0..part.y1 {
+            let [column, row] = self.positions(y, [tile.x, tile.y]);
+            for x in part.x0..part.x1 {
+                let i = (x - self.area.x0) as usize;
+                let is_near = |edge: &LinearForm| edge.at(column[i], row[i]).abs() <= edge.margin;
+                self.sample(x, y).is_on_edge |= edges.iter().any(is_near);
             }
         }
     }

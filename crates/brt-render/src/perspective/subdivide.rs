@@ -47,8 +47,9 @@ impl<'a> Painter<'a> {
     /// Paints a tile, given the outlines that reach into it in the order of primitives.
     pub(crate) fn paint(&mut self, tile: &Tile, outlines: &[Outline], image: &mut PerspectiveImage) {
         image.reset(tile);
-        let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
+        let area = tile.area();
         self.start_with(tile, area, outlines);
+        image.clear.extend(self.candidates.iter().filter(|c| self.has_edges(c)).map(|c| c.outline.primitive));
         self.paint_area(area, 0, &mut Canvas { tile, image, scene: self.scene });
     }
 
@@ -98,6 +99,11 @@ impl<'a> Painter<'a> {
             self.forms.extend(forms);
             self.candidates.push(Candidate { outline: *outline, forms: place });
         }
+    }
+
+    /// Do forms tell how far samples are from a candidate's edges?
+    fn has_edges(&self, candidate: &Candidate) -> bool {
+        matches!(self.forms.get(candidate.forms as usize), Some(Forms::Flat(forms)) if !forms.edges.is_empty())
     }
 
     /// Paints an area, its candidates being those from `first` on. Takes them off the list.
@@ -166,6 +172,8 @@ impl<'a> Painter<'a> {
         let candidates = self.candidates[first..].iter().map(|c| (&c.outline, forms.get(c.forms as usize)));
         self.buffer.draw(canvas.tile, area, &candidates);
         canvas.image.areas.push((area, MIXED));
+        let Tile { x: left, y: top, .. } = *canvas.tile;
+        canvas.image.doubtful.extend(self.buffer.on_edges().map(|[x, y]| [x - left, y - top]));
         for y in area.y0..area.y1 {
             canvas.fill_row(area.x0, y, self.buffer.row(y));
         }

@@ -3,6 +3,7 @@
 mod area;
 mod block;
 mod certificate;
+mod clearance;
 mod grid;
 mod history;
 mod pattern;
@@ -15,6 +16,7 @@ mod tile;
 pub(crate) use area::Area;
 pub(crate) use block::Block;
 pub use certificate::{Certificate, CertificateCounts, Tries};
+pub(crate) use clearance::{CLEARANCE, slack};
 pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;

@@ -19,12 +19,18 @@ pub(crate) struct PerspectiveImage {
     pub(crate) surface: Vec<u32>,
     /// Areas that were painted at once, with the primitive that they show or [`MIXED`]. They tile the tile.
     pub(crate) areas: Vec<(Area, u32)>,
+    /// Flat primitives whose edges all samples that show them are clear of, but for the doubtful ones; by id.
+    pub(crate) clear: Vec<u32>,
+    /// Columns and rows of samples that lie on an edge, or too near to it for what is proven of the others.
+    pub(crate) doubtful: Vec<[u32; 2]>,
 }
 
 impl PerspectiveImage {
     /// Makes room for a tile; contents are old.
     pub(crate) fn reset(&mut self, tile: &Tile) {
         self.areas.clear();
+        self.clear.clear();
+        self.doubtful.clear();
         self.primitive.resize(tile.sample_count(), NOTHING);
         self.surface.resize(tile.sample_count(), NOTHING);
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Certificate, RayHistory, SampleGrid};
+use super::{Area, Certificate, RayHistory, SampleGrid};
 
 /// How a sample got its colour. Every sample is exactly one of these in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,6 +40,11 @@ impl Tile {
             width: SampleGrid::TILE.min(grid.samples_wide() - x),
             height: SampleGrid::TILE.min(grid.samples_high() - y),
         }
+    }
+
+    /// All of it.
+    pub(crate) fn area(&self) -> Area {
+        Area { x0: self.x, y0: self.y, x1: self.x + self.width, y1: self.y + self.height }
     }
 
     pub(crate) fn sample_count(&self) -> usize {

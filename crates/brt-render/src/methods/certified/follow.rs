@@ -4,7 +4,7 @@ use brt_geometry::{RayBlock, Real, Taylor};
 use brt_image::Rgb;
 
 use super::candidates::Candidates;
-use super::certificates::{cell_color, first_seen, lighting};
+use super::certificates::{Clear, cell_color, first_seen, lighting};
 use super::known_history::{KnownHistory, KnownLighting, KnownSight, Level, MOST_LEVELS};
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, Certificate, CertificateCounts, NOTHING, PreparedScene};
@@ -44,9 +44,10 @@ impl<'a> Follower<'a> {
     pub(super) fn follow(&mut self, area: Area, history: &mut KnownHistory) -> Outcome {
         let mut block = RayBlock::new(self.camera.block(&area));
         let mut from = FROM_NOWHERE;
+        let mut left: Option<Clear> = None;
         let mut way = Way { colors: [None; MOST_LEVELS], is_bounded: true, failed: None };
         for (depth, level) in history.levels.iter_mut().enumerate() {
-            let Some(primitive) = self.met(level, &block, from) else {
+            let Some(primitive) = self.met(level, &block, from, left.as_ref()) else {
                 return Outcome::Open(way.failed.unwrap_or(Certificate::Visibility));
             };
             if primitive == NOTHING {
@@ -55,7 +56,9 @@ impl<'a> Follower<'a> {
             let Some(patch) = self.patch(&block, primitive, from) else {
                 return Outcome::Open(way.failed.unwrap_or(Certificate::Surface));
             };
-            let color = self.local_color(level, &patch, &mut way);
+            let is_clear = history.is_clear && depth == 0;
+            left = is_clear.then(|| Clear::of(self.scene, &patch, self.camera.eye)).flatten();
+            let color = self.local_color(level, &patch, left.as_ref(), &mut way);
             if patch.material.reflection == 0.0 || depth as u32 >= self.max_depth {
                 return way.ended(depth, color);
             }
@@ -67,11 +70,11 @@ impl<'a> Follower<'a> {
     }
 
     /// What all rays meet.
-    fn met(&mut self, level: &mut Level, block: &RayBlock, from: u32) -> Option<u32> {
+    fn met(&mut self, level: &mut Level, block: &RayBlock, from: u32, left: Option<&Clear>) -> Option<u32> {
         if let KnownSight::Met(primitive) = level.sight {
             return Some(primitive);
         }
-        level.sight = first_seen(&mut self.candidates, block, from, level.sight);
+        level.sight = first_seen(&mut self.candidates, block, from, left, level.sight);
         let met = if let KnownSight::Met(primitive) = level.sight { Some(primitive) } else { None };
         self.counts.note(Certificate::Visibility, met.is_some());
         met
@@ -87,7 +90,13 @@ impl<'a> Follower<'a> {
     }
 
     /// The colour of a level without what mirrors add; it only means something while all is proven.
-    fn local_color(&mut self, level: &mut Level, patch: &Patch, way: &mut Way) -> Rgb<Taylor> {
+    fn local_color(
+        &mut self,
+        level: &mut Level,
+        patch: &Patch,
+        left: Option<&Clear>,
+        way: &mut Way,
+    ) -> Rgb<Taylor> {
         let body = cell_color(patch.material, &patch.point);
         if patch.material.checker.is_some() {
             way.is_bounded &= self.counts.note(Certificate::Checker, body.is_some());
@@ -101,7 +110,7 @@ impl<'a> Follower<'a> {
             };
             let ways = patch.ways_to(light);
             if !known.is_settled() {
-                *known = lighting(&mut self.candidates, patch, light, &ways, *known);
+                *known = lighting(&mut self.candidates, patch, left, light, &ways, *known);
                 if !self.counts.note(Certificate::Shadow, known.is_settled()) {
                     way.failed = way.failed.or(Some(Certificate::Shadow));
                 }

@@ -46,14 +46,16 @@ impl Level {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownHistory {
     pub(super) levels: [Level; MOST_LEVELS],
+    /// Are all samples clear of the edges of what is seen first, but for the doubtful ones?
+    pub(super) is_clear: bool,
 }
 
 impl KnownHistory {
     /// All rays meet this primitive first.
-    pub(super) fn starting_with(primitive: u32) -> Self {
+    pub(super) fn starting_with(primitive: u32, is_clear: bool) -> Self {
         let mut levels = [Level::UNKNOWN; MOST_LEVELS];
         levels[0].sight = KnownSight::Met(primitive);
-        Self { levels }
+        Self { levels, is_clear }
     }
 
     /// The primitive that is seen first.

@@ -74,12 +74,13 @@ pub(crate) fn render_certified(
     let has_few_parts = groups().filter(|group| samples_of(group) < LEAST_PROVEN).count() <= FEW_PARTS;
     let rest = Rest::default();
     let mut method = Certified { worker, tile, follower, tolerance, clock, has_few_parts, rest };
-    let area = Area { x0: tile.x, y0: tile.y, x1: tile.x + tile.width, y1: tile.y + tile.height };
+    let area = tile.area();
     for group in groups() {
         method.settle_group(area, group);
     }
     method.lap(|seconds| &mut seconds.select);
     method.trace_rest();
+    method.trace_doubtful();
     let counts = method.follower.counts;
     worker.tracer.counters.certificates += counts;
 }
@@ -124,7 +125,8 @@ impl Certified<'_, '_> {
             group.iter().for_each(|region| self.rest.add(self.tile, &region.area));
             return;
         }
-        self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive));
+        let is_clear = self.worker.perspective.clear.binary_search(&primitive).is_ok();
+        self.settle(area, Parts::Regions(group), &KnownHistory::starting_with(primitive, is_clear));
     }
 
     /// Is it worth while to trace so few samples of a primitive without their neighbours? What is mirrored or lit lies

@@ -53,6 +53,14 @@ impl Certified<'_, '_> {
         }
     }
 
+    /// Traces the samples on edges, whatever was proven for others around them.
+    pub(super) fn trace_doubtful(&mut self) {
+        let doubtful = std::mem::take(&mut self.worker.perspective.doubtful);
+        doubtful.chunks(MOST_RAYS).for_each(|samples| self.trace_shown(samples));
+        self.worker.perspective.doubtful = doubtful;
+        self.lap(|seconds| &mut seconds.trace);
+    }
+
     fn trace_rest_of(&mut self, [left, right]: [u32; 2], [top, bottom]: [u32; 2]) {
         let (mut samples, mut count) = ([[0; 2]; MOST_RAYS], 0);
         for strip in (top..bottom).step_by(STRIP as usize) {

@@ -3,7 +3,7 @@
 use brt_geometry::{Plane, RayBlock, Real, SMALLEST_ANGLE, Taylor, Vec3};
 
 use super::LinearForm;
-use crate::products::{SamplePattern, Tile};
+use crate::products::{CLEARANCE, SamplePattern, Tile, slack};
 
 /// The forms of a flat primitive.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub(crate) struct FlatForms {
     pub(in crate::perspective) inverse_depth: LinearForm,
     /// The primitive's plane is certainly met ahead where the inverse depth is greater.
     pub(in crate::perspective) least: f64,
-    /// Positive on the primitive's side.
+    /// Positive on the primitive's side; their margins hold what is too near to the edge to be clear of it.
     pub(in crate::perspective) edges: Vec<LinearForm>,
 }
 
@@ -40,10 +40,18 @@ impl FlatForms {
         // one way round, else the other.
         let towards = if ahead.c < 0.0 { Taylor::constant(-1.0) } else { Taylor::constant(1.0) };
         let side = |edge: Taylor| LinearForm::of(edge * towards, tile, pattern);
-        let edges: Vec<LinearForm> = match corners {
+        let mut edges: Vec<LinearForm> = match corners {
             [] => Vec::new(),
             corners => rays.sides(corners).map(side).collect(),
         };
+        // The side of an edge is six times the volume of eye, corners and hit, over the depth.
+        let eye = Vec3 { x: ray.origin.x.c, y: ray.origin.y.c, z: ray.origin.z.c };
+        let [farthest, nearest] = inverse_depth.over_tile(tile).range();
+        let clear = CLEARANCE * slack(eye, corners) * ahead.c.abs() * nearest.max(-farthest);
+        for (i, edge) in edges.iter_mut().enumerate() {
+            let before = corners[(i + corners.len() - 1) % corners.len()];
+            edge.margin += clear * (corners[i] - before).length();
+        }
         edges.iter().all(|edge| edge.margin.is_finite()).then_some(Self { inverse_depth, least, edges })
     }
 }

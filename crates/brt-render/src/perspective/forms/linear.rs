@@ -37,6 +37,11 @@ impl LinearForm {
         self.base + self.column * column + self.row * row
     }
 
+    /// Over the whole tile.
+    pub(super) fn over_tile(&self, tile: &Tile) -> Taylor {
+        self.over(&tile.area(), tile)
+    }
+
     /// Over an area of the tile.
     pub(in crate::perspective) fn over(&self, area: &Area, tile: &Tile) -> Taylor {
         let ([x, y], [half_x, half_y]) = (area.middle(), area.half_sides(&self.pattern));

@@ -1,12 +1,14 @@
 //! Certificates: conservative proofs about a block, one file per way to fail.
 
 mod checker;
+mod clear;
 mod screen;
 mod shadow;
 mod tolerance;
 mod visibility;
 
 pub(super) use checker::cell_color;
+pub(super) use clear::Clear;
 pub(super) use screen::hides_together;
 pub(super) use shadow::{before_light, is_beside, lighting, shaft_of};
 pub(super) use tolerance::Tolerance;

@@ -7,16 +7,18 @@
 
 use brt_geometry::{BOX_MARGIN, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Trilean, Vec3};
 
+use super::clear::Clear;
 use super::{MOST_CLASSIFIED, hides_together};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
 use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch, start};
 
-/// How the points of a patch see a light, given what is known of it.
+/// How the points of a patch see a light, given what is known of it, and of how ways leave the patch.
 pub(in crate::methods::certified) fn lighting(
     candidates: &mut Candidates,
     patch: &Patch,
+    left: Option<&Clear>,
     light: &PreparedLight,
     ways: &LightWays,
     known: KnownLighting,
@@ -49,12 +51,14 @@ pub(in crate::methods::certified) fn lighting(
         PreparedLight::Point { position, .. } => RayBlock::to_point(ray, *position),
         PreparedLight::Directional { .. } => RayBlock::new(ray),
     };
+    let leaving = left.filter(|_| !scene.has_dimmers).and_then(|clear| clear.leaving(&ways.towards));
     let mut is_hidden = false;
     candidates.found.retain(|&id| {
-        let hit = block.first_hit(&scene.primitives[id as usize], start(id, patch.primitive));
-        let before = before_light(&hit, ways);
+        let primitive = &scene.primitives[id as usize];
+        let before = before_light(&block.first_hit(primitive, start(id, patch.primitive)), ways);
         is_hidden |= before.all() && !scene.dims(id);
-        before.any()
+        before.all()
+            || (before.any() && !leaving.as_ref().is_some_and(|leaving| leaving.never_meets(primitive)))
     });
     if is_hidden && !meets_dimmer(candidates) {
         return KnownLighting::Hidden;

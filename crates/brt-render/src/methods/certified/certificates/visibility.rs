@@ -7,16 +7,18 @@
 use brt_geometry::{Hit, Mask, RayBlock, Real, Taylor};
 
 use super::MOST_CLASSIFIED;
+use super::clear::{Clear, Leaving};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownSight;
 use crate::products::NOTHING;
 use crate::tracing::start;
 
-/// What rays that leave `from` meet first, given what is known of it.
+/// What rays that leave `from` meet first, given what is known of it, and of how they left.
 pub(in crate::methods::certified) fn first_seen(
     candidates: &mut Candidates,
     block: &RayBlock,
     from: u32,
+    left: Option<&Clear>,
     known: KnownSight,
 ) -> KnownSight {
     let scene = candidates.scene;
@@ -39,7 +41,12 @@ pub(in crate::methods::certified) fn first_seen(
         .found
         .iter()
         .map(|&id| (id, block.first_hit(&scene.primitives[id as usize], start(id, from))));
-    let mut hits: Vec<(u32, Hit<Taylor>)> = hits.filter(|(_, hit)| hit.found.any()).collect();
+    let leaving = left.and_then(|clear| clear.leaving(&block.ray.direction));
+    let is_met = |id: u32, hit: &Hit<Taylor>| {
+        let never = |leaving: &Leaving| leaving.never_meets(&scene.primitives[id as usize]);
+        hit.found.any() && (hit.found.all() || !leaving.as_ref().is_some_and(never))
+    };
+    let mut hits: Vec<(u32, Hit<Taylor>)> = hits.filter(|(id, hit)| is_met(*id, hit)).collect();
     if hits.is_empty() {
         return KnownSight::Met(NOTHING);
     }
