@@ -10,6 +10,7 @@ mod perspective;
 mod picture;
 mod prepare;
 mod products;
+mod queue;
 mod render;
 mod run;
 mod schedule;

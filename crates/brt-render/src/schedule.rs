@@ -4,17 +4,22 @@ use std::ops::Range;
 use std::sync::Mutex;
 
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ScopeFifo, ThreadPool, ThreadPoolBuilder};
 
 use crate::methods::TileWorker;
 use crate::perspective::{BandOutlines, Painter};
 use crate::picture::TilePicture;
 use crate::products::{Counters, SampleGrid, Tile};
+use crate::queue::Queue;
 use crate::render::{Job, RenderError, render_tile};
 use crate::run::Run;
 
-/// Bands are rendered together until there are this many tiles for each thread: enough to even out their costs.
+/// Bands are rendered together until there are this many tiles for each thread.
 const TILES_PER_THREAD: u32 = 8;
+
+/// So many groups of bands are rendered or wait while one is taken: threads that find nothing more to do in one work on
+/// another.
+const GROUPS: usize = 2;
 
 /// Bytes of a thread's stack: a thousand bounces nest, and each takes about 2 KiB.
 const STACK: usize = 16 << 20;
@@ -54,26 +59,33 @@ impl<'a> Schedule<'a> {
 
     /// Renders all bands and hands them to `take`, from the top to the bottom; it gives back rows that can be used again.
     ///
-    /// While a group of bands is rendered, one of the threads takes those of the group before: none waits for it.
+    /// One of the threads takes bands while the others render: none waits for it, nor for the last tile of a group.
     pub(crate) fn run(
         &self,
         mut take: impl FnMut(FinishedBand) -> Result<Vec<[f32; 3]>, RenderError> + Send,
     ) -> Result<(), RenderError> {
+        let queue = Queue::new(self.groups(), |bands| self.take_bands(bands, &mut take));
         self.pool.install(|| {
-            let mut finished = Vec::new();
-            for bands in self.groups() {
-                let waiting = std::mem::take(&mut finished);
-                let (rendered, taken) =
-                    rayon::join(|| self.render_bands(bands), || self.take_bands(waiting, &mut take));
-                taken?;
-                finished = rendered.ok_or(RenderError::Cancelled)?;
-            }
-            self.take_bands(finished, &mut take)
-        })
+            rayon::scope_fifo(|scope| (0..GROUPS).for_each(|_| self.start_next(scope, &queue)));
+        });
+        queue.finish()
+    }
+
+    /// Renders the next group; whenever one is taken, another is started.
+    fn start_next<'s, G, T>(&'s self, scope: &ScopeFifo<'s>, queue: &'s Queue<G, Vec<FinishedBand>, T>)
+    where
+        G: Iterator<Item = Range<u32>> + Send,
+        T: FnMut(Vec<FinishedBand>) -> Result<(), RenderError> + Send,
+    {
+        let Some((place, bands)) = queue.next() else { return };
+        scope.spawn_fifo(move |scope| {
+            let rendered = self.render_bands(bands).ok_or(RenderError::Cancelled);
+            queue.hand_over(place, rendered, || self.start_next(scope, queue));
+        });
     }
 
     /// Bands that are rendered together, from the top to the bottom.
-    fn groups(&self) -> impl Iterator<Item = Range<u32>> + use<> {
+    fn groups(&self) -> impl Iterator<Item = Range<u32>> + Send + use<> {
         let bands = self.job.grid.bands();
         let tiles = TILES_PER_THREAD * self.pool.current_num_threads() as u32;
         let together = tiles.div_ceil(self.job.grid.tiles_wide());

@@ -104,7 +104,7 @@ mod tests {
         // 4×4 samples, surface 7 below the diagonal, 3 above and on it
         let tile = Tile { x: 0, y: 0, width: 4, height: 4 };
         let surface: Vec<u32> = (0..16).map(|i| if i % 4 >= i / 4 { 3 } else { 7 }).collect();
-        let image = PerspectiveImage { primitive: surface.clone(), surface, areas: Vec::new() };
+        let image = PerspectiveImage { primitive: surface.clone(), surface, ..PerspectiveImage::default() };
         let block = Block { x0: 0, y0: 0, x1: 3, y1: 3 };
         let Contents::Two([a, b]) = regions_of(&block, &tile, &image, &[SampleState::Pending; 16]) else {
             panic!("two surfaces")
