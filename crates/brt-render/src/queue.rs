@@ -112,6 +112,7 @@ mod tests {
 
     #[test]
     fn nothing_is_begun_or_taken_after_a_failure() {
+        let mut taken = 0;
         let queue = Queue::new(0..9, |_: u32| {
             taken += 1;
             Err(RenderError::Cancelled)
