@@ -7,8 +7,8 @@ use brt_render::{
 };
 use brt_scene::{Scene, procedural};
 use brt_testkit::{
-    AnyScene, Difference, Rendered, any_mesh_scene, any_scene, render_with_layers, replay_hint, scaled,
-    seed_scene, seeded, shifted,
+    AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_solids, render_with_layers,
+    replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -93,6 +93,31 @@ proptest! {
         let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &Settings::new([width, 150]));
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
+}
+
+proptest! {
+    #![proptest_config(seeded(1993, 300))]
+
+    #[test]
+    fn every_pixel_of_random_solids_is_within_the_tolerance(
+        AnyScene(scene) in any_scene_of_solids(),
+        width in 100_u32..400,
+        tolerance in 0.05..3.0,
+        samples in prop_oneof![4 => Just(Samples::One), 1 => Just(Samples::Four)],
+    ) {
+        let settings = Settings { samples, ..Settings::new([width, 150]) };
+        let transfer = Transfer::Linear;
+        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
+        prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
+    }
+}
+
+/// Blocks at the edges of faces are filled, too, though bounds reach beyond the edges.
+#[test]
+fn faces_are_filled_up_to_their_edges() {
+    let scene = named("blocks");
+    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([1024, 1024])).unwrap();
+    assert!(filled_share(&picture) > 0.7, "{}", filled_share(&picture));
 }
 
 /// Triangles are smaller than the blocks that are filled.

@@ -1,42 +1,16 @@
 //! Random scenes of fine meshes: what is filled across the edges of triangles, and what lies in their shadow.
 
 use brt_geometry::{Vec3, vec3};
-use brt_scene::{Camera, Material, MaterialId, Mesh, Object, Scene, Shape};
+use brt_scene::{Mesh, Shape};
 use proptest::prelude::*;
 
-use super::materials::{any_color, any_material};
-use super::scenes::{AnyScene, any_light, any_projection, named};
-use super::{direction, point};
+use super::point;
+use super::scenes::{AnyScene, dull_scene_of};
 
 /// Scenes of a few fine meshes over a floor, of faces or smooth.
 pub fn any_mesh_scene() -> impl Strategy<Value = AnyScene> {
-    let meshes = prop::collection::vec((any_mesh(), 0_u32..3), 1..4);
-    // No glass: between hundreds of faces its rays would never end.
-    let dull = any_material().prop_map(|material| Material { transmission: 0.0, opacity: 1.0, ..material });
-    let materials = prop::collection::vec(dull, 3);
-    let lights = prop::collection::vec(any_light(), 1..4);
-    let camera = (point(4.0), point(1.0), direction(), any_projection())
-        .prop_map(|(eye, look_at, up, projection)| Camera { eye, look_at, up, projection });
-    (meshes, materials, lights, camera, any_color(), any::<bool>())
-        .prop_map(|(meshes, materials, lights, camera, background, has_floor)| {
-            let mut scene = Scene {
-                background,
-                max_depth: 2,
-                lights,
-                objects: meshes
-                    .into_iter()
-                    .map(|(mesh, material)| Object::new(Shape::from(mesh), MaterialId(material)))
-                    .collect(),
-                materials: materials.into_iter().zip(0..).map(named).collect(),
-                ..Scene::new(camera)
-            };
-            if has_floor {
-                let floor = Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: -1.5 };
-                scene.objects.push(Object::new(floor, MaterialId(0)));
-            }
-            AnyScene(scene)
-        })
-        .prop_filter("fit to be rendered", |scene| scene.0.check().is_empty())
+    let mesh = any_mesh().prop_map(Shape::from);
+    dull_scene_of(prop::collection::vec((mesh, 0_u32..3), 1..4))
 }
 
 /// A ball with bumps, closed or with an open rim, or a wavy square. Sometimes folded, cut short, or twice in one place.

@@ -5,12 +5,14 @@ mod meshes;
 mod scenes;
 mod settings;
 mod shapes;
+mod solids;
 
 pub use materials::any_material;
 pub use meshes::any_mesh_scene;
 pub use scenes::{AnyScene, any_scene};
 pub use settings::{any_border, any_judge, seeded};
 pub use shapes::any_shape;
+pub use solids::any_scene_of_solids;
 
 use brt_geometry::{Vec3, vec3};
 use proptest::prelude::*;

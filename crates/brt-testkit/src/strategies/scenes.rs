@@ -66,11 +66,39 @@ fn placed(object: Object, placement: Affine) -> Object {
     }
 }
 
-pub(super) fn named((material, number): (Material, u32)) -> Material {
+/// Scenes of these shapes, each with the number of one of three materials that nothing is seen through, and often a floor.
+pub(super) fn dull_scene_of(
+    shapes: impl Strategy<Value = Vec<(Shape, u32)>>,
+) -> impl Strategy<Value = AnyScene> {
+    // No glass: between hundreds of faces its rays would never end.
+    let dull = any_material().prop_map(|material| Material { transmission: 0.0, opacity: 1.0, ..material });
+    let materials = prop::collection::vec(dull, 3);
+    let lights = prop::collection::vec(any_light(), 1..4);
+    let camera = (point(4.0), point(1.0), direction(), any_projection())
+        .prop_map(|(eye, look_at, up, projection)| Camera { eye, look_at, up, projection });
+    (shapes, materials, lights, camera, any_color(), any::<bool>())
+        .prop_map(|(shapes, materials, lights, camera, background, has_floor)| {
+            let floor = Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: -1.5 };
+            let shapes = shapes.into_iter().chain(has_floor.then_some((floor, 0)));
+            let objects = shapes.map(|(shape, material)| Object::new(shape, MaterialId(material)));
+            let materials = materials.into_iter().zip(0..).map(named);
+            AnyScene(Scene {
+                background,
+                max_depth: 2,
+                lights,
+                objects: objects.collect(),
+                materials: materials.collect(),
+                ..Scene::new(camera)
+            })
+        })
+        .prop_filter("fit to be rendered", |scene| scene.0.check().is_empty())
+}
+
+fn named((material, number): (Material, u32)) -> Material {
     Material { name: format!("m{number}"), ..material }
 }
 
-pub(super) fn any_light() -> impl Strategy<Value = Light> {
+fn any_light() -> impl Strategy<Value = Light> {
     prop_oneof![
         3 => (point(8.0), any_color()).prop_map(|(position, color)| Light::Point { position, color }),
         1 => any_spot(),
@@ -109,7 +137,7 @@ struct View {
     place: Place,
 }
 
-pub(super) fn any_projection() -> impl Strategy<Value = Projection> {
+fn any_projection() -> impl Strategy<Value = Projection> {
     prop_oneof![
         3 => (5.0..150.0).prop_map(|fov_deg| Projection::Perspective { fov_deg }),
         1 => (0.5..12.0).prop_map(|extent| Projection::Orthographic { extent }),
