@@ -124,8 +124,8 @@ fn faces_are_filled_up_to_their_edges() {
 #[test]
 fn smooth_meshes_are_filled_across_their_triangles() {
     let scene = named("torus");
-    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([900, 900])).unwrap();
-    assert!(filled_share(&picture) > 0.65, "{}", filled_share(&picture));
+    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([1500, 1500])).unwrap();
+    assert!(filled_share(&picture) > 0.7, "{}", filled_share(&picture));
 }
 
 #[test]

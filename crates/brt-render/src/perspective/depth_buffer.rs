@@ -2,15 +2,15 @@
 
 use std::array::from_fn;
 
-use brt_geometry::{Real, Start};
+use brt_geometry::{Lanes, Ray, Real, SimdLevel, Start};
 
 use super::forms::{FlatForms, Forms, LinearForm, RoundForms};
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, NOTHING, PreparedScene, Tile};
 
-/// Samples along the side of the largest block.
-pub(super) const SIDE: usize = 8;
+/// Samples along the side of the largest block: a row has a lane for each.
+pub(super) const SIDE: usize = brt_geometry::LANES;
 
 /// What each sample of a block meets first.
 pub(super) struct DepthBuffer<'a> {
@@ -22,6 +22,8 @@ pub(super) struct DepthBuffer<'a> {
     margin: f64,
     /// Edges of one candidate that cross the block.
     crossing: Vec<LinearForm>,
+    /// The rays of each row, once they are needed.
+    rays: [Option<Ray<Lanes>>; SIDE],
 }
 
 #[derive(Clone, Copy)]
@@ -42,7 +44,7 @@ impl<'a> DepthBuffer<'a> {
     pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera) -> Self {
         let area = Area { x0: 0, y0: 0, x1: 0, y1: 0 };
         let samples = [[Sample::EMPTY; SIDE]; SIDE];
-        Self { scene, camera, area, samples, margin: 0.0, crossing: Vec::new() }
+        Self { scene, camera, area, samples, margin: 0.0, crossing: Vec::new(), rays: [None; SIDE] }
     }
 
     /// Draws all candidates of an area, in the order of ids; each with its forms if it has any.
@@ -54,6 +56,7 @@ impl<'a> DepthBuffer<'a> {
     ) {
         self.area = area;
         self.samples = [[Sample::EMPTY; SIDE]; SIDE];
+        self.rays = [None; SIDE];
         let margins = candidates.clone().filter_map(|(_, forms)| Some(forms?.depth_margin()));
         self.margin = 2.0 * margins.fold(0.0, f64::max);
         for (outline, forms) in candidates.clone() {
@@ -90,13 +93,28 @@ impl<'a> DepthBuffer<'a> {
     fn draw_exactly(&mut self, part: Area, id: u32) {
         let primitive = &self.scene.primitives[id as usize];
         for y in part.y0..part.y1 {
+            let hit = SimdLevel::default().run(
+                #[inline(always)]
+                || primitive.first_hit(self.rays_of(y), Start::Elsewhere),
+            );
             for x in part.x0..part.x1 {
-                let hit = primitive.first_hit(&self.camera.sample_ray([x, y]), Start::Elsewhere);
-                if hit.found {
-                    self.keep_nearer(x, y, id, 1.0 / hit.t);
+                let lane = (x - self.area.x0) as usize;
+                if hit.found.has(lane) {
+                    self.keep_nearer(x, y, id, 1.0 / hit.t.0[lane]);
                 }
             }
         }
+    }
+
+    /// The rays of a row of the block and, where it is narrower than that, beyond.
+    #[inline(always)]
+    fn rays_of(&mut self, y: u32) -> &Ray<Lanes> {
+        let [column, row] = self.positions(y, [0, 0]);
+        let camera = self.camera;
+        self.rays[(y - self.area.y0) as usize].get_or_insert_with(
+            #[inline(always)]
+            || camera.ray(Lanes(column), Lanes(row)),
+        )
     }
 
     /// The same by the primitive's forms.

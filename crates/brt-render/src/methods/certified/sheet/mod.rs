@@ -30,7 +30,7 @@ const LEAST_SIDE: u32 = 8;
 const LEAST_SHOWN: usize = 24;
 
 /// Blocks whose triangles have fewer samples on the average are traced.
-const LEAST_EACH: usize = 8;
+const LEAST_EACH: usize = 14;
 
 /// Blocks that show more triangles are divided.
 const MOST_FACETS: usize = 48;
