@@ -76,7 +76,7 @@ fn check_boxes(random: &mut Random, count: u32, size: f64, offset: Vec3) {
             (7 * i, Aabb { lo: b.lo + offset, hi: b.hi + offset })
         })
         .collect();
-    let tree = Bvh::build(&boxes);
+    let tree = Bvh::build(&boxes, 1);
     for _ in 0..60 {
         let (item, bounds) = boxes[random.below(count) as usize];
         let target = point_in(random, &bounds);
@@ -110,7 +110,7 @@ fn nothing_is_missed_a_million_units_from_the_origin() {
 #[test]
 fn rays_from_the_faces_of_a_box_and_along_them_touch_it() {
     let bounds = Aabb { lo: vec3(-1.0, -2.0, -3.0), hi: vec3(1.0, 2.0, 3.0) };
-    let tree = Bvh::build(&[(5, bounds)]);
+    let tree = Bvh::build(&[(5, bounds)], 4);
     for corner in bounds.corners() {
         for axis in 0..3 {
             for (sign, zero) in [(1.0, 0.0), (1.0, -0.0), (-1.0, 0.0), (-1.0, -0.0)] {
@@ -133,11 +133,11 @@ fn rays_from_the_faces_of_a_box_and_along_them_touch_it() {
 #[test]
 fn a_tree_of_no_box_visits_nothing_and_one_of_a_speck_its_speck() {
     let ray = Ray::new(Vec3::ZERO, vec3(0.0, 0.0, 1.0));
-    assert_eq!(visited(&Bvh::build(&[]), &ray, f64::INFINITY), [0_u32; 0]);
+    assert_eq!(visited(&Bvh::build(&[], 4), &ray, f64::INFINITY), [0_u32; 0]);
     // A point alone has no size that margins could be a share of; no primitive has such a box.
     let speck = Aabb::around(vec3(0.0, 0.0, 4.0), Vec3::splat(1e-20));
-    assert_eq!(visited(&Bvh::build(&[(3, speck)]), &ray, f64::INFINITY), [3]);
-    assert_eq!(visited(&Bvh::build(&[(3, speck)]), &ray, 3.9), [0_u32; 0]);
+    assert_eq!(visited(&Bvh::build(&[(3, speck)], 1), &ray, f64::INFINITY), [3]);
+    assert_eq!(visited(&Bvh::build(&[(3, speck)], 1), &ray, 3.9), [0_u32; 0]);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn thousands_of_boxes_in_one_place_are_all_visited() {
     for count in [2, 5, 4096, 5000] {
         let boxes: Vec<(u32, Aabb)> = (0..count).map(|i| (i, bounds)).collect();
         let ray = Ray::new(vec3(0.3, 0.2, 5.0), vec3(0.0, 0.0, -1.0));
-        assert_eq!(visited(&Bvh::build(&boxes), &ray, f64::INFINITY), (0..count).collect::<Vec<u32>>());
+        assert_eq!(visited(&Bvh::build(&boxes, 4), &ray, f64::INFINITY), (0..count).collect::<Vec<u32>>());
     }
 }
 
@@ -192,7 +192,7 @@ fn the_closest_hit_is_that_of_brute_force_with_far_fewer_tests() {
             (0..1000).map(|_| random_primitive(&mut random, size, offset)).collect();
         let boxes: Vec<(u32, Aabb)> =
             (0..).zip(&primitives).filter_map(|(i, p)| Some((i, p.bounds()?))).collect();
-        let tree = Bvh::build(&boxes);
+        let tree = Bvh::build(&boxes, 4);
         let mut walk = Traversal::default();
         let (mut hits, mut tests, rays) = (0, 0, 2000);
         for _ in 0..rays {
@@ -225,7 +225,7 @@ fn whatever_rays_of_a_shaft_touch_is_found_by_the_shaft() {
     for _ in 0..300 {
         let size = random.magnitude(-6.0, 6.0);
         let boxes: Vec<(u32, Aabb)> = (0..60).map(|i| (i, random_box(&mut random, size))).collect();
-        let tree = Bvh::build(&boxes);
+        let tree = Bvh::build(&boxes, 4);
         let (origin, target) = (random.point(2.0) * size, random.point(1.0) * size);
         let (right, down) = (target - origin).try_normalize().unwrap_or_default().tangents();
         let step = size * random.magnitude(-3.0, 0.0);

@@ -76,7 +76,7 @@ fn before_rendering(c: &mut Criterion) {
     for (name, scene) in [("c", scene("seed-c", None)), ("torus", torus)] {
         c.bench_function(&format!("prepare/{name}"), |b| b.iter(|| prepare(&scene, Accelerator::Bvh)));
         let boxes = boxes(&scene);
-        c.bench_function(&format!("bvh/{name}"), |b| b.iter(|| Bvh::build(&boxes)));
+        c.bench_function(&format!("bvh/{name}"), |b| b.iter(|| Bvh::build(&boxes, 4)));
     }
 }
 

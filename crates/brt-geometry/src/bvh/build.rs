@@ -9,12 +9,9 @@ use obvhs::bvh2::builder::build_bvh2;
 use super::{Bvh, Child, Node};
 use crate::{Aabb, BOX_MARGIN, Vec3};
 
-/// Tests of primitives cost about as much as two nodes, so leaves stay small.
-const MOST_ITEMS_PER_LEAF: u32 = 4;
-
 impl Bvh {
-    /// The tree over boxes with their items, which walks hand out.
-    pub fn build(boxes: &[(u32, Aabb)]) -> Self {
+    /// The tree over boxes with their items, which walks hand out, so many of them at most together.
+    pub fn build(boxes: &[(u32, Aabb)], most_per_leaf: u32) -> Self {
         let whole = boxes.iter().map(|b| b.1).reduce(Aabb::union);
         let Some(whole) = whole else {
             return Self { nodes: vec![Node::EMPTY], items: Vec::new(), center: Vec3::ZERO, reach: 0.0 };
@@ -24,7 +21,7 @@ impl Bvh {
         let margin = BOX_MARGIN * size.x.max(size.y).max(size.z);
         let rounded: Vec<obvhs::aabb::Aabb> =
             boxes.iter().map(|(_, b)| round_outward(b, center, margin)).collect();
-        let binary = build_bvh2(&rounded, parameters(), &mut Duration::default());
+        let binary = build_bvh2(&rounded, parameters(most_per_leaf), &mut Duration::default());
         let items = binary.primitive_indices.iter().map(|&i| boxes[i as usize].0).collect();
         let reach = (0.5 * size.x.max(size.y).max(size.z) + 2.0 * margin) as f32 * 1.001;
         let mut tree = Self { nodes: Vec::new(), items, center, reach };
@@ -57,8 +54,8 @@ impl Bvh {
     }
 }
 
-fn parameters() -> BvhBuildParams {
-    BvhBuildParams { max_prims_per_leaf: MOST_ITEMS_PER_LEAF, ..BvhBuildParams::medium_build() }
+fn parameters(most_per_leaf: u32) -> BvhBuildParams {
+    BvhBuildParams { max_prims_per_leaf: most_per_leaf, ..BvhBuildParams::medium_build() }
 }
 
 /// Up to four descendants of a node of the binary tree: the widest boxes are opened first.

@@ -6,7 +6,7 @@ mod mesh;
 
 pub use camera::PreparedCamera;
 
-use brt_geometry::{Bvh, Exponent, Extents, Grid, SpatialIndex};
+use brt_geometry::{Bvh, Exponent, Extents, Grid, Primitive, SpatialIndex};
 use brt_image::Rgb;
 use brt_scene::{Light, Material, Scene, Shape};
 
@@ -41,7 +41,7 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
             SpatialIndex::Extents(Extents::build(&boxes, object_of))
         }
         Accelerator::Grid => SpatialIndex::Grid(Grid::build(&boxes)),
-        Accelerator::Bvh => SpatialIndex::Bvh(Bvh::build(&boxes)),
+        Accelerator::Bvh => SpatialIndex::Bvh(Bvh::build(&boxes, most_per_leaf(&primitives))),
     };
     PreparedScene {
         index,
@@ -106,4 +106,11 @@ pub(crate) fn prepare_material(m: &Material) -> PreparedMaterial {
         transmission: m.transmission,
         index_of_refraction: m.index_of_refraction,
     }
+}
+
+/// How many primitives a leaf of the tree may have: to test a triangle costs less than a node, to test a cylinder or a ball
+/// more.
+fn most_per_leaf(primitives: &[Primitive]) -> u32 {
+    let triangles = primitives.iter().filter(|primitive| matches!(primitive, Primitive::Triangle(_))).count();
+    if 2 * triangles > primitives.len() { 4 } else { 1 }
 }
