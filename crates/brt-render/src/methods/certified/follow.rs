@@ -57,7 +57,7 @@ impl<'a> Follower<'a> {
                 return Outcome::Open(way.failed.unwrap_or(Certificate::Surface));
             };
             let is_clear = history.is_clear && depth == 0;
-            left = is_clear.then(|| Clear::of(self.scene, &patch, self.camera.eye)).flatten();
+            left = is_clear.then(|| Clear::of(self.scene, &patch, &block.ray, self.camera.eye)).flatten();
             let color = self.local_color(level, &patch, left.as_ref(), &mut way);
             if patch.material.reflection == 0.0 || depth as u32 >= self.max_depth {
                 return way.ended(depth, color);

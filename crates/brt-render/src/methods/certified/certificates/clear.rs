@@ -7,13 +7,16 @@
 //! if the ray moves away from it. How near is near is decided with room for rounding: where a ray starts is known to
 //! within a slack, and what it meets to within some hundreds of them.
 
-use brt_geometry::{COORDINATE_ROUNDING, Plane, Primitive, Taylor, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Plane, Primitive, Ray, Taylor, Vec3};
 
 use crate::products::{CLEARANCE, PreparedScene, slack};
 use crate::tracing::Patch;
 
 /// Sine of the angle to a surface below which a ray counts as along it.
 const LEAST_SINE: f64 = 0.02;
+
+/// The same for how it is seen: a place is known to within a slack over this.
+const LEAST_VIEW_SINE: f64 = 1e-3;
 
 /// A face that comes nearer to the plane than it is beyond the edge over this lies beside it.
 const STEEPEST: f64 = 30.0;
@@ -31,15 +34,21 @@ pub(in crate::methods::certified) struct Clear<'a> {
 }
 
 impl<'a> Clear<'a> {
-    /// What a block shows; `None` if corners are off the plane.
+    /// What a block shows; `None` if corners are off the plane, or it is seen along the plane.
     pub(in crate::methods::certified) fn of(
         scene: &'a PreparedScene,
         patch: &Patch,
+        view: &Ray<Taylor>,
         eye: Vec3,
     ) -> Option<Self> {
         let (plane, corners) = scene.primitives[patch.primitive as usize].flat()?;
         let side = patch.normal.along(plane.normal).c.signum();
         let slack = slack(eye, corners);
+        let longest = view.dd.range()[1].max(0.0).sqrt();
+        let [fall, _] = view.direction.along(plane.normal * -side).range();
+        if fall.is_nan() || fall <= LEAST_VIEW_SINE * longest {
+            return None;
+        }
         (!corners.is_empty() && is_flat(plane, corners, slack)).then_some(Self {
             plane,
             corners,
