@@ -1,4 +1,4 @@
-//! Convex polygons and triangles: a plane and edge functions.
+//! Convex polygons and triangles: a plane, and on which side of its edges rays pass.
 //!
 //! Corners are projected along the ray, to two coordinates; the determinant of two of them tells on which side of the
 //! edge between them the ray passes (Woop, Benthin, Wald 2013). What has a corner computes the same place for it, and the
