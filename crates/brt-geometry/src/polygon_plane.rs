@@ -1,6 +1,6 @@
 //! The plane of a polygon given by its points.
 
-use crate::{FACE_FLATNESS, POLYGON_FLATNESS, Vec3};
+use crate::{FACE_FLATNESS, POLYGON_FLATNESS, SMALLEST_ANGLE, SMALLEST_LENGTH, Vec3};
 
 /// The plane that fits a polygon's outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,21 +13,21 @@ pub struct PolygonPlane {
     pub size: f64,
 }
 
-/// The plane of an outline by Newell's method; `None` where it has no area.
+/// The plane of an outline by Newell's method; `None` where it has no area, or is smaller than [`SMALLEST_LENGTH`].
 ///
 /// Newell's formula (Sutherland, Sproull, Schumacker 1974) stands for concave outlines too and averages over points
-/// that are slightly off the plane.
+/// that are slightly off the plane. Its products are accurate, so that corners of slivers lie in their plane, too.
 pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
     let share = 1.0 / outline.len() as f64;
     let center = outline.iter().fold(Vec3::ZERO, |sum, &p| sum + p * share);
     let size = outline.iter().map(|&p| (p - center).length()).fold(0.0, f64::max);
-    if size == 0.0 || !size.is_finite() {
+    if !(SMALLEST_LENGTH..f64::INFINITY).contains(&size) {
         return None;
     }
     // Relative to the centre and the size, so that far and tiny polygons lose nothing.
     let local = |i: usize| (outline[i % outline.len()] - center) * (1.0 / size);
-    let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross(local(i + 1)));
-    if area.length() < crate::SMALLEST_ANGLE {
+    let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross_accurately(local(i + 1)));
+    if area.length() < SMALLEST_ANGLE {
         return None;
     }
     Some(PolygonPlane { normal: area.try_normalize()?, center, size })
@@ -41,7 +41,7 @@ impl PolygonPlane {
         (greatest > POLYGON_FLATNESS).then_some(greatest)
     }
 
-    /// Do these points lie in the plane, but for rounding?
+    /// Do these points lie in the plane but for rounding?
     pub fn is_face(&self, points: &[Vec3]) -> bool {
         self.flatness(points) <= FACE_FLATNESS
     }

@@ -113,7 +113,7 @@ impl RayBlock {
         if !inside.any() {
             return Hit::none();
         }
-        let hit = plane.first_hit_of_part(&self.ray, start);
+        let hit = plane.first_hit(&self.ray, start);
         Hit { found: hit.found & inside, t: hit.t }
     }
 

@@ -1,6 +1,6 @@
 //! Is a scene fit to be rendered? Answers with places, which importers turn into positions in the file.
 
-use brt_geometry::{Affine, Vec3, polygon_plane};
+use brt_geometry::{Aabb, Affine, SMALLEST_LENGTH, Vec3, polygon_plane};
 use thiserror::Error;
 
 use crate::{Camera, Light, Object, Projection, Scene, Shape};
@@ -13,9 +13,6 @@ use mesh::check_mesh;
 
 /// Coordinates beyond this cannot be traced: their fourth powers must stay far from overflow.
 pub(crate) const GREATEST_COORDINATE: f64 = 1e30;
-
-/// Lengths below this cannot be traced: their fourth powers must stay far from 0.
-pub(crate) const SMALLEST_LENGTH: f64 = 1e-30;
 
 /// A part of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,6 +167,8 @@ fn check_object(object: &Object, found: Found) {
         found("transform", fault("the transform leaves nothing of a volume", "three rows that differ"));
     } else if mesh.positions.iter().any(|&p| in_range(p) && !in_range(map.point(p))) {
         found("transform", fault("a transformed coordinate is too large", FINITE));
+    } else if let Some(f) = too_small(mesh.positions.iter().map(|&p| map.point(p))) {
+        found("positions", f);
     }
 }
 
@@ -231,6 +230,10 @@ fn check_polygon(outline: &[Vec3], holes: &[Vec<Vec3>], found: Found) {
             return;
         }
     }
+    if let Some(f) = too_small(outline.iter().copied()) {
+        found("outline", f);
+        return;
+    }
     let Some(plane) = polygon_plane(outline) else {
         found("outline", fault("the polygon has no area", "points that are not all on one line"));
         return;
@@ -264,6 +267,16 @@ fn check_length(field: &'static str, length: f64, found: Found) {
     if !(SMALLEST_LENGTH..=GREATEST_COORDINATE).contains(&length) {
         found(field, fault(format!("`{field}` is {length}"), "a finite number above 0, from 1e-30 to 1e30"));
     }
+}
+
+/// What is wrong with points that are not all the same but too near to each other.
+fn too_small(points: impl Iterator<Item = Vec3>) -> Option<Fault> {
+    let bounds = Aabb::of_points(&points.collect::<Vec<_>>());
+    let size = (bounds.hi - bounds.lo).max(Vec3::ZERO);
+    let size = size.x.max(size.y).max(size.z);
+    let is_too_small = size > 0.0 && size < SMALLEST_LENGTH;
+    is_too_small
+        .then(|| fault(format!("the points lie within {size:e} of each other"), "a size of at least 1e-30"))
 }
 
 fn in_range(p: Vec3) -> bool {

@@ -22,7 +22,7 @@ impl Disc {
     /// The nearest hit ahead.
     #[inline(always)]
     pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
-        let hit = self.plane.first_hit_of_part(ray, start);
+        let hit = self.plane.first_hit(ray, start);
         let from_center = (ray.origin - self.center.lift()) + ray.direction * hit.t;
         let inside = from_center.length_squared().le(R::constant(self.radius * self.radius));
         Hit { found: hit.found & inside, t: hit.t }

@@ -1,6 +1,6 @@
 //! Infinite planes.
 
-use crate::{Hit, Mask, Ray, Real, SMALLEST_ANGLE, Start, Vec3};
+use crate::{Hit, LEAST_SINE, Ray, Real, Start, Vec3};
 
 /// All points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,13 +17,15 @@ impl Plane {
         Self { normal, distance: normal.dot(point) }
     }
 
-    /// The nearest hit ahead.
+    /// The nearest hit ahead; rays along it ([`LEAST_SINE`]) miss.
     #[inline(always)]
     pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
         if start == Start::OnPrimitive {
             return Hit::none();
         }
-        Hit::at(self.ahead(ray) / self.facing(ray), R::Mask::TRUE)
+        let facing = self.facing(ray);
+        let crosses = (facing * facing).gt(R::constant(LEAST_SINE * LEAST_SINE) * ray.dd);
+        Hit::at(self.ahead(ray) / facing, crosses)
     }
 
     /// How far the plane is from the ray's start, along the normal.
@@ -36,14 +38,5 @@ impl Plane {
     #[inline(always)]
     pub fn facing<R: Real>(&self, ray: &Ray<R>) -> R {
         self.normal.lift().dot(ray.direction)
-    }
-
-    /// The nearest hit ahead with a flat piece of the plane: rays along it meet its edge at most, and miss.
-    #[inline(always)]
-    pub(crate) fn first_hit_of_part<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
-        let hit = self.first_hit(ray, start);
-        let facing = self.facing(ray);
-        let crosses = (facing * facing).gt(R::constant(SMALLEST_ANGLE * SMALLEST_ANGLE) * ray.dd);
-        Hit { found: hit.found & crosses, t: hit.t }
     }
 }

@@ -69,7 +69,7 @@ impl Triangle {
 
 #[inline(always)]
 fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start) -> Hit<R> {
-    let hit = plane.first_hit_of_part(ray, start);
+    let hit = plane.first_hit(ray, start);
     if !hit.found.any() {
         return hit;
     }
