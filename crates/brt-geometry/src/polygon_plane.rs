@@ -1,6 +1,6 @@
 //! The plane of a polygon given by its points.
 
-use crate::{FACE_FLATNESS, POLYGON_FLATNESS, SMALLEST_ANGLE, SMALLEST_LENGTH, Vec3};
+use crate::{FACE_FLATNESS, POLYGON_FLATNESS, Plane, SMALLEST_ANGLE, SMALLEST_LENGTH, Vec3};
 
 /// The plane that fits a polygon's outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub struct PolygonPlane {
     pub center: Vec3,
     /// Greatest distance of a point of the outline from the centre.
     pub size: f64,
+    /// Twice the area as a share of the square of the size: of slivers about how thin they are.
+    pub area: f64,
 }
 
 /// The plane of an outline by Newell's method; `None` where it has no area, or is smaller than [`SMALLEST_LENGTH`].
@@ -27,13 +29,17 @@ pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
     // Relative to the centre and the size, so that far and tiny polygons lose nothing.
     let local = |i: usize| (outline[i % outline.len()] - center) * (1.0 / size);
     let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross_accurately(local(i + 1)));
-    if area.length() < SMALLEST_ANGLE {
-        return None;
-    }
-    Some(PolygonPlane { normal: area.try_normalize()?, center, size })
+    let normal = area.try_normalize()?;
+    let area = area.length();
+    (area >= SMALLEST_ANGLE).then_some(PolygonPlane { normal, center, size, area })
 }
 
 impl PolygonPlane {
+    /// The plane itself, for a primitive with this outline.
+    pub fn plane(&self) -> Plane {
+        Plane::through(self.center, self.normal).for_area(self.area)
+    }
+
     /// The greatest distance of these points from the plane as a share of the polygon's size, if it is too great for
     /// a flat polygon.
     pub fn greatest_distance(&self, points: &[Vec3]) -> Option<f64> {

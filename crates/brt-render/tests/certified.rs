@@ -7,8 +7,8 @@ use brt_render::{
 };
 use brt_scene::{Scene, procedural};
 use brt_testkit::{
-    AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_solids, render_with_layers,
-    replay_hint, scaled, seed_scene, seeded, shifted,
+    AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_slivers, any_scene_of_solids,
+    render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -107,6 +107,22 @@ proptest! {
     ) {
         let settings = Settings { samples, ..Settings::new([width, 150]) };
         let transfer = Transfer::Linear;
+        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
+        prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
+    }
+}
+
+proptest! {
+    #![proptest_config(seeded(1997, 500))]
+
+    #[test]
+    fn every_pixel_of_slivers_is_within_the_tolerance(
+        AnyScene(scene) in any_scene_of_slivers(),
+        width in 20_u32..150,
+        tolerance in prop_oneof![Just(0.0), 0.05..3.0],
+    ) {
+        let transfer = Transfer::Linear;
+        let settings = Settings::new([2 * width + 1, 121]);
         let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }

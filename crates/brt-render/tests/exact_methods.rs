@@ -8,8 +8,8 @@ use brt_render::{
 };
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
-    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_with_layers, replay_hint,
-    scaled, seed_scene, seeded, shifted,
+    AnyScene, Rendered, all_shapes, any_scene, any_scene_of_slivers, first_difference, looking,
+    render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -102,6 +102,21 @@ proptest! {
             let differences = differences(&moved, &Settings::new([24, 18]));
             prop_assert!(differences.is_empty(), "{}", differences[0]);
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(seeded(7, 1500))]
+
+    /// Trees leave out what is far from a ray, so nothing may be met far from where it is.
+    #[test]
+    fn they_agree_on_slivers_seen_and_lit_along_themselves(
+        AnyScene(scene) in any_scene_of_slivers(),
+        width in 1_u32..60,
+        height in 1_u32..30,
+    ) {
+        let differences = differences(&scene, &Settings::new([2 * width + 1, 2 * height + 1]));
+        prop_assert!(differences.is_empty(), "{}", differences[0]);
     }
 }
 

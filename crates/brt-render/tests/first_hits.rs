@@ -39,7 +39,7 @@ impl Hand {
             }
             2 => {
                 let (normal, distance) = (random.direction(), random.between(-6.0, -2.0));
-                let plane = Plane { normal, distance };
+                let plane = Plane::new(normal, distance);
                 self.add(Shape::Plane { normal, distance }, Primitive::Plane(plane));
             }
             _ => {
@@ -119,7 +119,7 @@ fn of_two_surfaces_at_one_distance_the_earlier_object_is_seen() {
         let center = vec3(x, 0.0, 0.25);
         hand.add(Shape::Disc { center, normal, radius }, Primitive::Disc(Disc::new(center, normal, radius)));
     }
-    let plane = Plane { normal, distance: 0.25 };
+    let plane = Plane::new(normal, 0.25);
     hand.add(Shape::Plane { normal, distance: 0.25 }, Primitive::Plane(plane));
     hand.assert_image_is_right([97, 64], "discs in one plane");
 }

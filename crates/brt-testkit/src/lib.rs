@@ -20,6 +20,6 @@ pub use pictures::{
 pub use random::Random;
 pub use stages::{Stage, stage_colors};
 pub use strategies::{
-    AnyScene, any_border, any_judge, any_material, any_mesh_scene, any_scene, any_scene_of_solids, any_shape,
-    seeded,
+    AnyScene, any_border, any_judge, any_material, any_mesh_scene, any_scene, any_scene_of_slivers,
+    any_scene_of_solids, any_shape, seeded,
 };

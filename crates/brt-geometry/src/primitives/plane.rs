@@ -2,6 +2,9 @@
 
 use crate::{Hit, LEAST_SINE, Ray, Real, Start, Vec3};
 
+/// Roundings of where corners are seen, generously: as a share of their distance.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
 /// All points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
@@ -9,22 +12,37 @@ pub struct Plane {
     pub normal: Vec3,
     /// Signed distance from the origin of space.
     pub distance: f64,
+    /// Square of the sine from which rays meet what lies in the plane: [`LEAST_SINE`], more for slivers.
+    pub least_sine_squared: f64,
 }
 
 impl Plane {
-    /// The plane through a point.
-    pub fn through(point: Vec3, normal: Vec3) -> Self {
-        Self { normal, distance: normal.dot(point) }
+    /// The plane with this unit normal and distance.
+    pub fn new(normal: Vec3, distance: f64) -> Self {
+        Self { normal, distance, least_sine_squared: LEAST_SINE * LEAST_SINE }
     }
 
-    /// The nearest hit ahead; rays along it ([`LEAST_SINE`]) miss.
+    /// The plane through a point.
+    pub fn through(point: Vec3, normal: Vec3) -> Self {
+        Self::new(normal, normal.dot(point))
+    }
+
+    /// The plane for a flat primitive of this share of area. Seen along itself a sliver is thinner than rounding, and all of
+    /// the line that it lies on would count as inside.
+    #[must_use]
+    pub fn for_area(self, area: f64) -> Self {
+        let least_sine = LEAST_SINE.max(ROUNDINGS / area);
+        Self { least_sine_squared: least_sine * least_sine, ..self }
+    }
+
+    /// The nearest hit ahead; rays along it miss.
     #[inline(always)]
     pub fn first_hit<R: Real>(&self, ray: &Ray<R>, start: Start) -> Hit<R> {
         if start == Start::OnPrimitive {
             return Hit::none();
         }
         let facing = self.facing(ray);
-        let crosses = (facing * facing).gt(R::constant(LEAST_SINE * LEAST_SINE) * ray.dd);
+        let crosses = (facing * facing).gt(R::constant(self.least_sine_squared) * ray.dd);
         Hit::at(self.ahead(ray) / facing, crosses)
     }
 

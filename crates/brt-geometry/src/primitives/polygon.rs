@@ -41,8 +41,7 @@ pub struct Triangle {
 impl Triangle {
     /// The triangle with these corners; `None` where it has no area.
     pub fn new(corners: [Vec3; 3]) -> Option<Self> {
-        let plane = polygon_plane(&corners)?;
-        Some(Self { plane: Plane::through(plane.center, plane.normal), corners })
+        Some(Self { plane: polygon_plane(&corners)?.plane(), corners })
     }
 
     /// The nearest hit ahead.

@@ -95,7 +95,7 @@ impl Flattened {
             Shape::Plane { normal, distance } => {
                 let length = normal.length();
                 let unit = normal.try_normalize().unwrap_or_default();
-                self.add_alone(Primitive::Plane(Plane { normal: unit, distance: distance / length }), owner);
+                self.add_alone(Primitive::Plane(Plane::new(unit, distance / length)), owner);
             }
             Shape::Polygon { outline, holes } => self.add_polygon(outline, holes, owner),
             Shape::Disc { center, normal, radius } => {
@@ -114,7 +114,7 @@ impl Flattened {
 
     fn add_polygon(&mut self, outline: &[Vec3], holes: &[Vec<Vec3>], owner: Owner) {
         let Some(fit) = polygon_plane(outline) else { return };
-        let plane = Plane::through(fit.center, fit.normal);
+        let plane = fit.plane();
         let surface = self.add_surface(owner);
         let corners: Vec<Vec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
         let is_face = fit.is_face(&corners);
@@ -128,11 +128,10 @@ impl Flattened {
         }
         for triangle in triangulate(outline, holes, fit.normal) {
             let corners = triangle.map(|i| corners[i as usize]);
+            let Some(part) = polygon_plane(&corners) else { continue };
             // Parts of a face keep its plane, so they are hit at one distance.
-            let part = if is_face { Some(Triangle { plane, corners }) } else { Triangle::new(corners) };
-            if let Some(part) = part {
-                self.add(Primitive::Triangle(part), owner, surface, Corners::default());
-            }
+            let plane = if is_face { plane.for_area(part.area) } else { part.plane() };
+            self.add(Primitive::Triangle(Triangle { plane, corners }), owner, surface, Corners::default());
         }
     }
 

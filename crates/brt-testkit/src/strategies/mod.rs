@@ -5,6 +5,7 @@ mod meshes;
 mod scenes;
 mod settings;
 mod shapes;
+mod slivers;
 mod solids;
 
 pub use materials::any_material;
@@ -12,6 +13,7 @@ pub use meshes::any_mesh_scene;
 pub use scenes::{AnyScene, any_scene};
 pub use settings::{any_border, any_judge, seeded};
 pub use shapes::any_shape;
+pub use slivers::any_scene_of_slivers;
 pub use solids::any_scene_of_solids;
 
 use brt_geometry::{Vec3, vec3};

@@ -137,7 +137,7 @@ struct View {
     place: Place,
 }
 
-fn any_projection() -> impl Strategy<Value = Projection> {
+pub(super) fn any_projection() -> impl Strategy<Value = Projection> {
     prop_oneof![
         3 => (5.0..150.0).prop_map(|fov_deg| Projection::Perspective { fov_deg }),
         1 => (0.5..12.0).prop_map(|extent| Projection::Orthographic { extent }),

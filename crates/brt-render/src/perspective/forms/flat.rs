@@ -1,6 +1,6 @@
 //! Flat primitives: inverse depth and edge functions are linear (Pineda 1988).
 
-use brt_geometry::{LEAST_SINE, Plane, RayBlock, Real, Taylor, Vec3};
+use brt_geometry::{Plane, RayBlock, Real, Taylor, Vec3};
 
 use super::LinearForm;
 use crate::products::{CLEARANCE, SamplePattern, Tile, slack};
@@ -31,7 +31,8 @@ impl FlatForms {
         let ahead = plane.ahead(ray);
         let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile, pattern);
         let longest = ray.dd.range()[1].sqrt();
-        let least = 2.0 * LEAST_SINE * longest / ahead.c.abs() + 2.0 * inverse_depth.margin;
+        let least =
+            2.0 * plane.least_sine_squared.sqrt() * longest / ahead.c.abs() + 2.0 * inverse_depth.margin;
         // Written so that NaN is refused.
         if !(least < f64::INFINITY && least > 1.0 / FAR) {
             return None;
