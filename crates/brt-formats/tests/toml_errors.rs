@@ -110,6 +110,11 @@ fn the_check_of_the_scene_has_places() {
             "11: `radius` is -1, expected a finite number above 0, from 1e-30 to 1e30",
         ]
     );
+    let object = "[materials.m]\ncolor = [1, 1, 1]\n[[object]]\ntype = \"polygon\"\nmaterial = \"m\"\n";
+    assert_eq!(
+        after_camera(&format!("{object}outline = [[0, 0, 0], [1e-31, 0, 0], [0, 1e-31, 0]]\n")),
+        ["10: the points lie within 1e-31 of each other, expected a size of at least 1e-30"]
+    );
     // `up` is left out: the place is that of the camera.
     assert_eq!(
         errors(Format::Toml, "\n[camera]\neye = [0, 5, 0]\nlook_at = [0, 0, 0]\nfov_deg = 200\n"),

@@ -14,26 +14,39 @@ pub fn any_scene_of_slivers() -> impl Strategy<Value = AnyScene> {
     let parts = prop::collection::vec((any_part(), near_plane(1.0), 0_u32..3), 1..5);
     let floor = tiny().prop_map(|tilt| Shape::Plane { normal: vec3(tilt, 0.0, 1.0), distance: -0.3 * tilt });
     let floor = prop::option::of(floor);
-    let camera = (near_plane(5.0), near_plane(0.5), direction(), any_projection());
+    // Rows of pixels often lie in the plane.
+    let camera = (near_plane(3.0), point(0.5), tiny(), any::<bool>(), any_projection());
     let lights = prop::collection::vec(near_plane(4.0), 0..2);
     (dull_scene_of(Just(Vec::new())), parts, floor, camera, lights, direction())
-        .prop_map(|(AnyScene(mut scene), parts, floor, (eye, look_at, up, projection), lights, axis)| {
-            let turn = Turn::towards(axis);
-            let parts = parts
-                .into_iter()
-                .map(|(part, offset, material)| Object::new(turn.shape(part, offset), MaterialId(material)));
-            scene.objects.extend(parts);
-            scene
-                .objects
-                .extend(floor.map(|floor| Object::new(turn.shape(floor, Vec3::ZERO), MaterialId(0))));
-            scene.camera = Camera { eye: turn.point(eye), look_at: turn.point(look_at), up, projection };
-            scene.lights.extend(
-                lights
-                    .into_iter()
-                    .map(|light| Light::Point { position: turn.point(light), color: rgb(0.8, 0.7, 0.6) }),
-            );
-            AnyScene(scene)
-        })
+        .prop_map(
+            |(
+                AnyScene(mut scene),
+                parts,
+                floor,
+                (eye, target, slope, is_level, projection),
+                lights,
+                axis,
+            )| {
+                let turn = Turn::towards(axis);
+                let parts = parts.into_iter().map(|(part, offset, material)| {
+                    Object::new(turn.shape(part, offset), MaterialId(material))
+                });
+                scene.objects.extend(parts);
+                scene
+                    .objects
+                    .extend(floor.map(|floor| Object::new(turn.shape(floor, Vec3::ZERO), MaterialId(0))));
+                let look_at = vec3(target.x, target.y, eye.z + slope);
+                let up = if is_level { vec3(0.0, 0.0, 1.0) } else { vec3(0.3, 1.0, 0.7) };
+                let [eye, look_at, up] = [eye, look_at, up].map(|p| turn.point(p));
+                scene.camera = Camera { eye, look_at, up, projection };
+                scene.lights.extend(
+                    lights
+                        .into_iter()
+                        .map(|light| Light::Point { position: turn.point(light), color: rgb(0.8, 0.7, 0.6) }),
+                );
+                AnyScene(scene)
+            },
+        )
         .prop_filter("fit to be rendered", |scene| scene.0.check().is_empty())
 }
 
