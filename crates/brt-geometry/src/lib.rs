@@ -32,7 +32,7 @@ pub use extents::Extents;
 pub use grid::Grid;
 pub use index::SpatialIndex;
 pub use lanes::{LANES, LaneMask, Lanes, SimdLevel};
-pub use polygon_plane::{PolygonPlane, polygon_plane};
+pub use polygon_plane::{PolygonPlane, area_share, polygon_plane};
 pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
 pub use ray::{Across, Hit, Ray, Start};
 pub use ray_block::RayBlock;

@@ -16,22 +16,29 @@ pub struct PolygonPlane {
 }
 
 /// The plane of an outline by Newell's method; `None` where it has no area, or is smaller than [`SMALLEST_LENGTH`].
-///
+pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
+    plane_however_thin(outline).filter(|plane| plane.area >= SMALLEST_ANGLE)
+}
+
+/// [`PolygonPlane::area`] of outlines however thin; 0 where there is none.
+pub fn area_share(outline: &[Vec3]) -> f64 {
+    plane_however_thin(outline).map_or(0.0, |plane| plane.area)
+}
+
 /// Newell's formula (Sutherland, Sproull, Schumacker 1974) stands for concave outlines too and averages over points
 /// that are slightly off the plane. Its products are accurate, so that corners of slivers lie in their plane, too.
-pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
+fn plane_however_thin(outline: &[Vec3]) -> Option<PolygonPlane> {
     let share = 1.0 / outline.len() as f64;
     let center = outline.iter().fold(Vec3::ZERO, |sum, &p| sum + p * share);
     let size = outline.iter().map(|&p| (p - center).length()).fold(0.0, f64::max);
-    if !(SMALLEST_LENGTH..f64::INFINITY).contains(&size) {
+    // Half of what points are apart, at least: what passed the check of a scene has a plane.
+    if !(0.25 * SMALLEST_LENGTH..f64::INFINITY).contains(&size) {
         return None;
     }
     // Relative to the centre and the size, so that far and tiny polygons lose nothing.
     let local = |i: usize| (outline[i % outline.len()] - center) * (1.0 / size);
     let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross_accurately(local(i + 1)));
-    let normal = area.try_normalize()?;
-    let area = area.length();
-    (area >= SMALLEST_ANGLE).then_some(PolygonPlane { normal, center, size, area })
+    Some(PolygonPlane { normal: area.try_normalize()?, center, size, area: area.length() })
 }
 
 impl PolygonPlane {

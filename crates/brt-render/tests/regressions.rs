@@ -127,3 +127,20 @@ fn a_floor_seen_along_itself_is_not_taken_to_be_clear_of_its_edges() {
     let full = rendered(&scene, Method::Full, [64, 64]);
     assert_eq!(differing(&full, &rendered(&scene, Method::Certified(exact), [64, 64])), 0);
 }
+
+/// Cut into triangles, it has one that is 10⁻¹⁰ as wide as long, and as wide as the notch where that is seen.
+#[test]
+fn a_vast_floor_with_a_tiny_notch_is_whole_beside_it() {
+    let mut camera = looking([0.0, 0.006, -0.0018], [0.0, 0.0, -0.0018], 30.0);
+    camera.up = vec3(0.0, 0.0, 1.0);
+    let mut scene = Scene::new(camera);
+    let material = Material { ambient: 1.0, ..Material::matte("m", rgb(1.0, 1.0, 1.0)) };
+    let material = scene.add_material(material);
+    let corners = [(-1e6, -1e6), (-1e6, 1e6), (-3e-4, 0.0), (3e-4, 0.0), (1e6, 1e6), (1e6, -1e6)];
+    let outline = corners.map(|(x, z)| vec3(x, 0.0, z)).to_vec();
+    scene.add(Shape::Polygon { outline, holes: Vec::new() }, material);
+    for method in [Method::Full, Method::Reference] {
+        let picture = rendered(&scene, method, [120, 90]);
+        assert!(picture.colors.iter().all(|color| *color == [1.0; 3]), "{method:?}");
+    }
+}

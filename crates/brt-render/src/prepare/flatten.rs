@@ -1,8 +1,8 @@
 //! Objects become primitives, each on a surface.
 
 use brt_geometry::{
-    Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, is_convex, polygon_plane,
-    triangulate,
+    Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, area_share, is_convex,
+    polygon_plane, triangulate,
 };
 use brt_image::Rgb;
 use brt_scene::{Object, Scene, Shape};
@@ -128,10 +128,12 @@ impl Flattened {
         }
         for triangle in triangulate(outline, holes, fit.normal) {
             let corners = triangle.map(|i| corners[i as usize]);
-            let Some(part) = polygon_plane(&corners) else { continue };
-            // Parts of a face keep its plane, so they are hit at one distance.
-            let plane = if is_face { plane.for_area(part.area) } else { part.plane() };
-            self.add(Primitive::Triangle(Triangle { plane, corners }), owner, surface, Corners::default());
+            // Parts of a face keep its plane, so they are hit at one distance, and are kept however thin.
+            let of_face = || Triangle { plane: plane.for_area(area_share(&corners)), corners };
+            let part = if is_face { Some(of_face()) } else { Triangle::new(corners) };
+            if let Some(part) = part {
+                self.add(Primitive::Triangle(part), owner, surface, Corners::default());
+            }
         }
     }
 
