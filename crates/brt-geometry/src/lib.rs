@@ -53,14 +53,14 @@ pub const SMALLEST_LENGTH: f64 = 1e-30;
 /// Rays along a plane, closer to it than this (as a sine), do not meet what lies in it. What corners and rays are off by
 /// rounding, over this, is how far along a ray a hit may be from the primitive: less than [`BOX_MARGIN`]. Nor are infinite
 /// planes met so far away that nothing is known of the place.
-pub const LEAST_SINE: f64 = 1e-7;
+pub const LEAST_SINE: f64 = 4e-7;
 
 /// Points of a polygon may be off its plane by this share of the polygon's size: files round to about six digits.
 pub const POLYGON_FLATNESS: f64 = 1e-3;
 
 /// Corners of a face may be off its plane by this share of its size. Polygons within [`POLYGON_FLATNESS`] that are not as
 /// flat are cut into triangles: rays nearly along them would be hit far from where their outline is (see [`LEAST_SINE`]).
-pub const FACE_FLATNESS: f64 = 5e-14;
+pub const FACE_FLATNESS: f64 = 2e-13;
 
 /// Facets of a mesh without normals belong to one surface if their normals differ by less (in radians).
 pub const FACET_ANGLE: f64 = 1e-6;

@@ -12,17 +12,17 @@ pub struct PolygonPlane {
     /// Greatest distance of a point of the outline from the centre.
     pub size: f64,
     /// Twice the area as a share of the square of the size: of slivers about how thin they are.
-    pub area: f64,
+    pub area_share: f64,
 }
 
 /// The plane of an outline by Newell's method; `None` where it has no area, or is smaller than [`SMALLEST_LENGTH`].
 pub fn polygon_plane(outline: &[Vec3]) -> Option<PolygonPlane> {
-    plane_however_thin(outline).filter(|plane| plane.area >= SMALLEST_ANGLE)
+    plane_however_thin(outline).filter(|plane| plane.area_share >= SMALLEST_ANGLE)
 }
 
-/// [`PolygonPlane::area`] of outlines however thin; 0 where there is none.
+/// [`PolygonPlane::area_share`] of outlines however thin; 0 where there is none.
 pub fn area_share(outline: &[Vec3]) -> f64 {
-    plane_however_thin(outline).map_or(0.0, |plane| plane.area)
+    plane_however_thin(outline).map_or(0.0, |plane| plane.area_share)
 }
 
 /// Newell's formula (Sutherland, Sproull, Schumacker 1974) stands for concave outlines too and averages over points
@@ -38,13 +38,13 @@ fn plane_however_thin(outline: &[Vec3]) -> Option<PolygonPlane> {
     // Relative to the centre and the size, so that far and tiny polygons lose nothing.
     let local = |i: usize| (outline[i % outline.len()] - center) * (1.0 / size);
     let area = (0..outline.len()).fold(Vec3::ZERO, |sum, i| sum + local(i).cross_accurately(local(i + 1)));
-    Some(PolygonPlane { normal: area.try_normalize()?, center, size, area: area.length() })
+    Some(PolygonPlane { normal: area.try_normalize()?, center, size, area_share: area.length() })
 }
 
 impl PolygonPlane {
     /// The plane itself, for a primitive with this outline.
     pub fn plane(&self) -> Plane {
-        Plane::through(self.center, self.normal).for_area(self.area)
+        Plane::through(self.center, self.normal).for_area_share(self.area_share)
     }
 
     /// The greatest distance of these points from the plane as a share of the polygon's size, if it is too great for

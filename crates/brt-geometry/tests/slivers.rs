@@ -23,12 +23,15 @@ impl Sliver {
 #[test]
 fn corners_of_slivers_lie_in_their_planes() {
     let mut random = Random::new(1);
+    let mut planes = 0;
     for _ in 0..100_000 {
         let Sliver { corners, .. } = Sliver::random(&mut random);
         let Some(fit) = polygon_plane(&corners) else { continue };
+        planes += 1;
         let off = corners.map(|p| (p - fit.center).dot(fit.normal).abs());
         assert!(off.iter().all(|&off| off < 2e-15), "{off:?} of {corners:?}");
     }
+    assert!(planes > 90_000, "{planes}");
 }
 
 /// A ray almost in the plane of a sliver, through a point of its long edge's line.

@@ -61,8 +61,7 @@ proptest! {
 
 #[test]
 fn most_of_the_seed_scenes_is_filled_within_the_tolerance_wherever_they_stand() {
-    // Shifted corners are rounded, off their planes, and polygons cut into triangles.
-    for (name, least) in [("a", 0.6), ("b", 0.4), ("c", 0.69)] {
+    for (name, least) in [("a", 0.6), ("b", 0.4), ("c", 0.7)] {
         let scene = seed_scene(name);
         let moved = [
             scene.clone(),

@@ -1,6 +1,6 @@
 //! Is a scene fit to be rendered? Answers with places, which importers turn into positions in the file.
 
-use brt_geometry::{Aabb, Affine, SMALLEST_LENGTH, Vec3, polygon_plane};
+use brt_geometry::{Affine, SMALLEST_LENGTH, Vec3, polygon_plane};
 use thiserror::Error;
 
 use crate::{Camera, Light, Object, Projection, Scene, Shape};
@@ -271,8 +271,9 @@ fn check_length(field: &'static str, length: f64, found: Found) {
 
 /// What is wrong with points that are not all the same but too near to each other.
 fn too_small(points: impl Iterator<Item = Vec3>) -> Option<Fault> {
-    let bounds = Aabb::of_points(&points.collect::<Vec<_>>());
-    let size = (bounds.hi - bounds.lo).max(Vec3::ZERO);
+    let nothing = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+    let (lo, hi) = points.fold(nothing, |(lo, hi), p| (lo.min(p), hi.max(p)));
+    let size = hi - lo;
     let size = size.x.max(size.y).max(size.z);
     let is_too_small = size > 0.0 && size < SMALLEST_LENGTH;
     is_too_small

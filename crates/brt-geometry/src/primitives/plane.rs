@@ -27,11 +27,11 @@ impl Plane {
         Self::new(normal, normal.dot(point))
     }
 
-    /// The plane for a flat primitive of this share of area. Seen along itself a sliver is thinner than rounding, and all of
-    /// the line that it lies on would count as inside.
+    /// The same plane with the limit of a flat primitive of this [area share](crate::PolygonPlane::area_share). Seen along
+    /// itself a sliver is thinner than rounding, and all of the line that it lies on would count as inside.
     #[must_use]
-    pub fn for_area(self, area: f64) -> Self {
-        let least_sine = LEAST_SINE.max(ROUNDINGS / area);
+    pub fn for_area_share(self, area_share: f64) -> Self {
+        let least_sine = LEAST_SINE.max(ROUNDINGS / area_share);
         Self { least_sine_squared: least_sine * least_sine, ..self }
     }
 

@@ -129,7 +129,7 @@ impl Flattened {
         for triangle in triangulate(outline, holes, fit.normal) {
             let corners = triangle.map(|i| corners[i as usize]);
             // Parts of a face keep its plane, so they are hit at one distance, and are kept however thin.
-            let of_face = || Triangle { plane: plane.for_area(area_share(&corners)), corners };
+            let of_face = || Triangle { plane: plane.for_area_share(area_share(&corners)), corners };
             let part = if is_face { Some(of_face()) } else { Triangle::new(corners) };
             if let Some(part) = part {
                 self.add(Primitive::Triangle(part), owner, surface, Corners::default());

@@ -1,7 +1,7 @@
 //! Random scenes of what is as good as flat: thin boxes, slivers, quadrangles a little off their plane, with eyes, lights and
 //! mirrors in or nearly in the same plane.
 
-use brt_geometry::{Vec3, vec3};
+use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::rgb;
 use brt_scene::{Camera, Light, MaterialId, Mesh, Object, Shape};
 use proptest::prelude::*;
@@ -27,23 +27,18 @@ pub fn any_scene_of_slivers() -> impl Strategy<Value = AnyScene> {
                 lights,
                 axis,
             )| {
-                let turn = Turn::towards(axis);
-                let parts = parts.into_iter().map(|(part, offset, material)| {
-                    Object::new(turn.shape(part, offset), MaterialId(material))
-                });
-                scene.objects.extend(parts);
-                scene
-                    .objects
-                    .extend(floor.map(|floor| Object::new(turn.shape(floor, Vec3::ZERO), MaterialId(0))));
+                let turn = turn_to(axis);
+                let floor = floor.map(|floor| (floor, Vec3::ZERO, 0));
+                scene.objects.extend(parts.into_iter().chain(floor).map(|(shape, offset, material)| {
+                    Object::new(placed(shape, offset, &turn), MaterialId(material))
+                }));
                 let look_at = vec3(target.x, target.y, eye.z + slope);
                 let up = if is_level { vec3(0.0, 0.0, 1.0) } else { vec3(0.3, 1.0, 0.7) };
                 let [eye, look_at, up] = [eye, look_at, up].map(|p| turn.point(p));
                 scene.camera = Camera { eye, look_at, up, projection };
-                scene.lights.extend(
-                    lights
-                        .into_iter()
-                        .map(|light| Light::Point { position: turn.point(light), color: rgb(0.8, 0.7, 0.6) }),
-                );
+                let color = rgb(0.8, 0.7, 0.6);
+                let light = |position: Vec3| Light::Point { position: turn.point(position), color };
+                scene.lights.extend(lights.into_iter().map(light));
                 AnyScene(scene)
             },
         )
@@ -103,34 +98,24 @@ fn strip(length: f64, count: u32, width: f64, lift: f64) -> Shape {
     })
 }
 
-/// Turns z into another direction.
-struct Turn {
-    axes: [Vec3; 3],
+/// What turns z into this direction.
+fn turn_to(axis: Vec3) -> Affine {
+    let axis = axis.normalize();
+    let (u, v) = axis.tangents();
+    Affine { axes: [u, v, axis], offset: Vec3::ZERO }
 }
 
-impl Turn {
-    fn towards(axis: Vec3) -> Self {
-        let axis = axis.normalize();
-        let (u, v) = axis.tangents();
-        Self { axes: [u, v, axis] }
-    }
-
-    fn point(&self, p: Vec3) -> Vec3 {
-        self.axes[0] * p.x + self.axes[1] * p.y + self.axes[2] * p.z
-    }
-
-    fn shape(&self, shape: Shape, offset: Vec3) -> Shape {
-        let place = |p: &Vec3| self.point(*p + offset);
-        match shape {
-            Shape::Plane { normal, distance } => Shape::Plane { normal: self.point(normal), distance },
-            Shape::Polygon { outline, holes } => {
-                Shape::Polygon { outline: outline.iter().map(place).collect(), holes }
-            }
-            Shape::Mesh(mesh) => {
-                let positions = mesh.positions.iter().map(place).collect();
-                Shape::from(Mesh { positions, ..(*mesh).clone() })
-            }
-            other => other,
+fn placed(shape: Shape, offset: Vec3, turn: &Affine) -> Shape {
+    let place = |p: &Vec3| turn.point(*p + offset);
+    match shape {
+        Shape::Plane { normal, distance } => Shape::Plane { normal: turn.point(normal), distance },
+        Shape::Polygon { outline, holes } => {
+            Shape::Polygon { outline: outline.iter().map(place).collect(), holes }
         }
+        Shape::Mesh(mesh) => {
+            let positions = mesh.positions.iter().map(place).collect();
+            Shape::from(Mesh { positions, ..(*mesh).clone() })
+        }
+        other => other,
     }
 }

@@ -13,7 +13,7 @@ use crate::products::{CLEARANCE, PreparedScene, slack};
 use crate::tracing::Patch;
 
 /// Sine of the angle to a surface below which a ray counts as along it.
-const LEAST_SINE: f64 = 0.02;
+const LEAST_RISE_SINE: f64 = 0.02;
 
 /// The same for how it is seen: a place is known to within a slack over this.
 const LEAST_VIEW_SINE: f64 = 1e-3;
@@ -59,7 +59,7 @@ impl<'a> Clear<'a> {
 
     /// Rays that leave it; `None` where they may run along it or to its other side.
     pub(in crate::methods::certified) fn leaving(&self, towards: &'a Vec3<Taylor>) -> Option<Leaving<'_>> {
-        let least = LEAST_SINE * towards.length_squared().range()[1].max(0.0).sqrt();
+        let least = LEAST_RISE_SINE * towards.length_squared().range()[1].max(0.0).sqrt();
         let [rise, _] = towards.along(self.plane.normal * self.side).range();
         (rise > least).then_some(Leaving { from: self, towards, least })
     }
