@@ -21,7 +21,10 @@ impl Bvh {
         let margin = BOX_MARGIN * size.x.max(size.y).max(size.z);
         let rounded: Vec<obvhs::aabb::Aabb> =
             boxes.iter().map(|(_, b)| round_outward(b, center, margin)).collect();
-        let binary = build_bvh2(&rounded, parameters(most_per_leaf), &mut Duration::default());
+        let uneven: Vec<obvhs::aabb::Aabb> =
+            (0_u64..).zip(&rounded).map(|(i, bounds)| uneven(bounds, i)).collect();
+        let mut binary = build_bvh2(&uneven, parameters(most_per_leaf), &mut Duration::default());
+        refit(&mut binary, &rounded);
         let items = binary.primitive_indices.iter().map(|&i| boxes[i as usize].0).collect();
         let reach = (0.5 * size.x.max(size.y).max(size.z) + 2.0 * margin) as f32 * 1.001;
         let mut tree = Self { nodes: Vec::new(), items, center, reach };
@@ -47,11 +50,46 @@ impl Bvh {
                 } else {
                     self.nodes.push(Node::EMPTY);
                     open.push((below, self.nodes.len() - 1));
-                    Child { first: (self.nodes.len() - 1) as u32, count: 0 }
+                    Child::inner((self.nodes.len() - 1) as u32)
                 };
             }
         }
     }
+}
+
+/// The box, grown by a small part of its size that differs from item to item.
+///
+/// PLOC joins two nodes only where each is the other's nearest neighbour, and of equally near ones it takes the first: in an
+/// evenly spaced row all would look to the same side, and a pass would join but one pair. Uneven boxes have no equally near
+/// neighbours. They only decide which nodes are joined: the tree is [`refit`] to the boxes themselves.
+fn uneven(bounds: &obvhs::aabb::Aabb, index: u64) -> obvhs::aabb::Aabb {
+    let size = bounds.max - bounds.min;
+    let growth = size.x.max(size.y).max(size.z) * MOST_GROWTH * share_of(index);
+    obvhs::aabb::Aabb { min: bounds.min - growth, max: bounds.max + growth }
+}
+
+/// How much of its size a box grows by at most: enough to tell boxes apart in single precision, too little to matter for
+/// what is near.
+const MOST_GROWTH: f32 = 1.0 / 64.0;
+
+/// A number from 0 to 1 that looks random (the finalizer of SplitMix64: Steele, Lea, Flood 2014).
+fn share_of(index: u64) -> f32 {
+    let x = index.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    ((x ^ (x >> 31)) >> 40) as f32 / (1_u32 << 24) as f32
+}
+
+/// Gives the nodes the smallest boxes around their items.
+fn refit(binary: &mut Bvh2, boxes: &[obvhs::aabb::Aabb]) {
+    let Bvh2 { nodes, primitive_indices, .. } = binary;
+    for leaf in nodes.iter_mut().filter(|node| node.is_leaf()) {
+        let first = leaf.first_index as usize;
+        let items = &primitive_indices[first..first + leaf.prim_count as usize];
+        let around = items.iter().map(|&i| boxes[i as usize]).reduce(|a, b| a.union(&b));
+        leaf.set_aabb(around.unwrap_or(obvhs::aabb::Aabb::empty()));
+    }
+    binary.refit_all();
 }
 
 fn parameters(most_per_leaf: u32) -> BvhBuildParams {

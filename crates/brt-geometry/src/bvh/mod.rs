@@ -35,12 +35,32 @@ struct Node {
     child: [Child; 4],
 }
 
-/// What hangs below: an inner node, or `count` items from `first`.
+/// What hangs below: the inner node `first`, or a leaf of `count` items from `first`.
+///
+/// Where nothing hangs below, it is a leaf without items. So a walk ends whatever it enters, even one whose numbers are
+/// not numbers and which enters everything.
 #[derive(Clone, Copy, Debug)]
 struct Child {
     first: u32,
     count: u32,
 }
+
+impl Child {
+    const ROOT: Self = Self::inner(0);
+    const EMPTY: Self = Self { first: 0, count: 0 };
+
+    const fn inner(node: u32) -> Self {
+        Self { first: node, count: u32::MAX }
+    }
+
+    #[inline(always)]
+    fn is_inner(self) -> bool {
+        self.count == u32::MAX
+    }
+}
+
+/// Bits of all children of a node.
+const ALL_CHILDREN: u32 = 0b1111;
 
 /// Children on their way to be visited, the next one last, with the distance where each begins.
 type Open = Vec<(Child, f32)>;
@@ -69,6 +89,6 @@ impl Bvh {
 impl Node {
     const EMPTY: Self = Self {
         planes: [[f32x4::splat(f32::INFINITY); 3], [f32x4::splat(f32::NEG_INFINITY); 3]],
-        child: [Child { first: 0, count: 0 }; 4],
+        child: [Child::EMPTY; 4],
     };
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use wide::f32x4;
 
-use super::{Bvh, Child, Node, Traversal, push_sorted};
+use super::{ALL_CHILDREN, Bvh, Child, Node, Traversal, push_sorted};
 use crate::{
     Shaft,
     shaft::{HalfSpace, MOST_FACES},
@@ -21,9 +21,9 @@ impl Bvh {
         }
         let faces: [Option<RoundedFace>; MOST_FACES] =
             std::array::from_fn(|i| shaft.faces().get(i).map(|face| self.rounded(face)));
-        let mut open = vec![Child { first: 0, count: 0 }];
+        let mut open = vec![Child::ROOT];
         while let Some(child) = open.pop() {
-            if child.count > 0 {
+            if !child.is_inner() {
                 if !self.leaf(child).iter().all(|&item| visit(item)) {
                     return false;
                 }
@@ -31,7 +31,7 @@ impl Bvh {
             }
             let node = &self.nodes[child.first as usize];
             let touched =
-                faces.iter().flatten().fold(0b1111, |left, face| left & face.touched_children(node));
+                faces.iter().flatten().fold(ALL_CHILDREN, |left, face| left & face.touched_children(node));
             open.extend((0..4).filter(|lane| touched >> lane & 1 == 1).map(|lane| node.child[lane]));
         }
         true
@@ -56,12 +56,12 @@ impl Bvh {
             |limit: f64| self.rounded(&HalfSpace { normal: shaft.axis(), offset: limit + shaft.margin() });
         let mut end = along(f64::INFINITY);
         walk.stack.clear();
-        walk.stack.push((Child { first: 0, count: 0 }, f32::NEG_INFINITY));
+        walk.stack.push((Child::ROOT, f32::NEG_INFINITY));
         while let Some((child, near)) = walk.stack.pop() {
             if near > end.limit() {
                 continue;
             }
-            if child.count > 0 {
+            if !child.is_inner() {
                 for &item in self.leaf(child) {
                     match visit(item) {
                         ControlFlow::Break(()) => return,
@@ -74,9 +74,10 @@ impl Bvh {
             walk.nodes_visited += 1;
             let node = &self.nodes[child.first as usize];
             let near = end.deepest(node);
-            let inside = near.simd_le(end.offset).to_bitmask();
-            let touched =
-                faces.iter().flatten().fold(inside, |left, face| left & face.touched_children(node));
+            let touched = faces
+                .iter()
+                .flatten()
+                .fold(end.touched_children(node), |left, face| left & face.touched_children(node));
             push_sorted(&mut walk.stack, node, touched, near.to_array());
         }
     }
@@ -108,11 +109,11 @@ struct RoundedFace {
 }
 
 impl RoundedFace {
-    /// Bits of the children that reach into the half-space.
+    /// Bits of the children that may reach into the half-space: all but those that are certainly outside, so what is not a
+    /// number counts as touched.
     #[inline(always)]
     fn touched_children(&self, node: &Node) -> u32 {
-        // Empty children are infinitely far outside; where infinities cancel, NaN is not touched either.
-        self.deepest(node).simd_le(self.offset).to_bitmask()
+        !self.deepest(node).simd_gt(self.offset).to_bitmask() & ALL_CHILDREN
     }
 
     /// How deep inside the children's boxes reach.
