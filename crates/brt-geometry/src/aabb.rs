@@ -29,6 +29,17 @@ impl Aabb {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// Its middle.
+    pub fn center(&self) -> Vec3 {
+        (self.lo + self.hi) * 0.5
+    }
+
+    /// The length of its longest side.
+    pub fn longest_side(&self) -> f64 {
+        let size = self.hi - self.lo;
+        size.x.max(size.y).max(size.z)
+    }
+
     /// The eight corners.
     pub fn corners(&self) -> [Vec3; 8] {
         std::array::from_fn(|i| {

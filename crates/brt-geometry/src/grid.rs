@@ -13,9 +13,15 @@ const MOST_CELLS: f64 = 128.0;
 const MOST_ENTRIES: u64 = 1 << 21;
 const ENTRIES_PER_ITEM: u64 = 32;
 
+/// How much room items have in their cells, in [`BOX_MARGIN`]s of the grid's size. Hits lie beside their rays by up to one
+/// `BOX_MARGIN` of the way; rays from farther away than the room allows try every item instead of walking.
+const ROOM: f64 = 64.0;
+
 /// A uniform grid over boxes with items.
 #[derive(Clone, Debug)]
 pub struct Grid {
+    /// Rays that start farther from the middle (as a sum over the axes) do not walk.
+    farthest_start: f64,
     lo: Vec3,
     cell: Vec3,
     count: [usize; 3],
@@ -29,14 +35,18 @@ impl Grid {
     pub fn build(boxes: &[(u32, Aabb)]) -> Self {
         let whole = boxes.iter().map(|b| b.1).reduce(Aabb::union);
         let whole = whole.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::splat(1.0)));
-        let size = whole.hi - whole.lo;
-        let margin = Vec3::splat(4.0 * BOX_MARGIN * size.x.max(size.y).max(size.z));
-        let (lo, size) = (whole.lo - margin, size + margin * 2.0);
+        let longest = whole.longest_side();
+        let room = Vec3::splat(ROOM * BOX_MARGIN * longest);
+        // The grid is larger than its items' room: the walk rounds, too.
+        let (lo, size) = (whole.lo - room * 2.0, whole.hi - whole.lo + room * 4.0);
+        // From there to anything in the grid it is one size more at most; and one is left for the walk's rounding.
+        let farthest_start = (ROOM - 2.0) * longest;
         let mut count = cell_counts(size, boxes.len());
         loop {
             let cell: [f64; 3] = std::array::from_fn(|axis| size[axis] / count[axis] as f64);
-            let mut grid = Self { lo, cell: cell.into(), count, starts: Vec::new(), items: Vec::new() };
-            let ranges: Vec<_> = boxes.iter().map(|(_, b)| grid.cells_of(b, margin * 0.5)).collect();
+            let (starts, items) = (Vec::new(), Vec::new());
+            let mut grid = Self { farthest_start, lo, cell: cell.into(), count, starts, items };
+            let ranges: Vec<_> = boxes.iter().map(|(_, b)| grid.cells_of(b, room)).collect();
             let entries: u64 = ranges.iter().map(cells_in).sum();
             if entries <= MOST_ENTRIES + ENTRIES_PER_ITEM * boxes.len() as u64 || count == [1; 3] {
                 grid.distribute(boxes, &ranges);
@@ -124,6 +134,11 @@ impl Grid {
     /// Hands out the cells along a ray, each with the distance at which it is entered (a little less, for rounding),
     /// until `visit` says that it is enough.
     fn walk(&self, ray: &Ray, walk: &mut Traversal, mut visit: impl FnMut(&[u32], f64) -> bool) {
+        if self.is_far(ray.origin) {
+            // Items in several cells are handed out several times, as on a walk.
+            visit(&self.items, 0.0);
+            return;
+        }
         let Some(enter) = self.enter(ray) else { return };
         let mut cell = self.cell_at(ray.at(enter));
         let mut entered = enter;
@@ -141,6 +156,13 @@ impl Grid {
                 None => return,
             }
         }
+    }
+
+    fn is_far(&self, point: Vec3) -> bool {
+        let half = |axis: usize| 0.5 * self.cell[axis] * self.count[axis] as f64;
+        let from_middle = |axis: usize| (point[axis] - self.lo[axis] - half(axis)).abs();
+        // Written so that what is not a number is far.
+        !(from_middle(0) + from_middle(1) + from_middle(2) <= self.farthest_start)
     }
 
     /// Distance at which the ray is first inside the grid; `None` if it passes by.

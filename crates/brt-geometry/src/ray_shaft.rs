@@ -1,7 +1,7 @@
 //! The shaft of rays that are given one by one, eight in lanes.
 
 use crate::shaft::Shaft;
-use crate::{BOX_MARGIN, Bvh, COORDINATE_ROUNDING, LANES, Lanes, Real, Vec3, vec3};
+use crate::{Aabb, BOX_MARGIN, COORDINATE_ROUNDING, LANES, LaneMask, Lanes, Mask, Real, Vec3, vec3};
 
 /// Eight rays: where they start and where they go.
 #[derive(Clone, Copy, Debug)]
@@ -15,12 +15,34 @@ pub struct LaneRays {
 /// No more eights of rays than this.
 const MOST: usize = 8;
 
+/// Products of coordinates up to this are finite.
+const GREATEST: f64 = 1e100;
+
+impl LaneRays {
+    /// Are all coordinates numbers whose products are finite? (The least of numbers says nothing of what is not a number: a
+    /// shaft around it would leave rays out.)
+    #[inline(always)]
+    fn are_ordinary(&self) -> bool {
+        (is_ordinary(self.origin) & is_ordinary(self.direction)).all()
+    }
+}
+
+#[inline(always)]
+fn is_ordinary(v: Vec3<Lanes>) -> LaneMask {
+    let greatest = Lanes::constant(GREATEST);
+    v.x.abs().lt(greatest) & v.y.abs().lt(greatest) & v.z.abs().lt(greatest)
+}
+
 impl Shaft {
     /// The shaft of up to 64 rays, up to distance `end` (in units of their directions), which may be infinite.
     ///
-    /// `None` where the rays have no direction in common.
+    /// `None` where the rays have no direction in common, are none or more than 64, or have coordinates that are not numbers or
+    /// as good as infinite.
     #[inline(always)]
     pub fn around_rays(rays: &[LaneRays], end: f64) -> Option<Self> {
+        if !(1..=MOST).contains(&rays.len()) || !rays.iter().all(LaneRays::are_ordinary) {
+            return None;
+        }
         let axis = axis_of(rays)?;
         let sides = sides_of(axis, rays);
         let along = Range::of(
@@ -28,7 +50,7 @@ impl Shaft {
             #[inline(always)]
             |ray| ray.direction.dot(axis.lift()),
         );
-        if along.least.is_nan() || along.least <= 0.0 {
+        if along.least <= 0.0 {
             return None;
         }
         let slopes = [slopes(rays, axis, sides[0]), slopes(rays, axis, sides[1])];
@@ -46,11 +68,11 @@ impl Shaft {
         Some(shaft)
     }
 
-    /// The same, wider by more than a hit with an item of the tree may be beside its ray by rounding: as much as the
-    /// tree's boxes are larger than their items, and more for rays from afar.
+    /// The shaft of these rays, wider by more than a hit with anything within `bounds` may lie beside its ray: by
+    /// [`BOX_MARGIN`] of the greatest distance from where a ray starts to what it meets.
     #[inline(always)]
-    pub fn around_rays_in(tree: &Bvh, rays: &[LaneRays], end: f64) -> Option<Self> {
-        let (center, size) = tree.extent();
+    pub fn around_rays_in(bounds: &Aabb, rays: &[LaneRays], end: f64) -> Option<Self> {
+        let (center, size) = (bounds.center(), bounds.longest_side());
         let far = Range::of(
             rays,
             #[inline(always)]

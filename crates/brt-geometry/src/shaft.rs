@@ -1,6 +1,6 @@
 //! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most seven half-spaces.
 
-use crate::{Aabb, BOX_MARGIN, Bvh, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
+use crate::{Aabb, BOX_MARGIN, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
 
 /// A convex region that holds all rays of a block.
 #[derive(Clone, Copy, Debug)]
@@ -53,10 +53,15 @@ impl Shaft {
         Some(shaft)
     }
 
-    /// The same, wider by more than a hit with an item of the tree may be beside its ray by rounding, as
-    /// [`Self::around_rays_in`] is.
-    pub fn around_in(tree: &Bvh, origin: &Vec3<Taylor>, direction: &Vec3<Taylor>, end: f64) -> Option<Self> {
-        let (center, size) = tree.extent();
+    /// The shaft of these rays, wider by more than a hit with anything within `bounds` may lie beside its ray: by
+    /// [`BOX_MARGIN`] of the greatest distance from where a ray starts to what it meets.
+    pub fn around_in(
+        bounds: &Aabb,
+        origin: &Vec3<Taylor>,
+        direction: &Vec3<Taylor>,
+        end: f64,
+    ) -> Option<Self> {
+        let (center, size) = (bounds.center(), bounds.longest_side());
         let greatest = |x: Taylor, from: f64| {
             let [lo, hi] = x.range();
             (lo - from).abs().max((hi - from).abs())
@@ -92,7 +97,11 @@ impl Shaft {
         self.push(HalfSpace { normal, offset }, reach)
     }
 
+    /// Where there is no room for one more, the shaft stays as large as it is.
     fn push(&mut self, face: HalfSpace, reach: f64) -> Option<()> {
+        if self.count == MOST_FACES {
+            return Some(());
+        }
         let offset = face.offset + COORDINATE_ROUNDING * (reach + face.offset.abs());
         if !(offset.is_finite() && face.normal.is_finite()) {
             return None;

@@ -53,7 +53,7 @@ pub fn render(
     let begin = Instant::now();
     let grid = SampleGrid::new(settings.size, settings.samples);
     let prepared = prepare(scene, settings.accelerator);
-    let camera = PreparedCamera::new(&scene.camera, &grid);
+    let camera = PreparedCamera::new(&scene.camera, prepared.origin, &grid);
     let job = Job {
         scene: &prepared,
         camera: &camera,

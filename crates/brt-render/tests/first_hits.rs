@@ -74,7 +74,8 @@ impl Hand {
         let layers = vec![Layer::Surface, Layer::Depth];
         let settings = Settings { layers, max_depth: Some(0), ..Settings::new(size) };
         let picture = render_with_layers(&self.scene, &settings, &Run { threads: 1, ..Run::default() });
-        let camera = PreparedCamera::new(&self.scene.camera, &SampleGrid::new(size, Samples::One));
+        let camera =
+            PreparedCamera::new(&self.scene.camera, Vec3::ZERO, &SampleGrid::new(size, Samples::One));
         let all = (0..size[0] * size[1]).map(|i| self.first_hit(&camera, i % size[0], i / size[0]));
         let (surface, depth): (Vec<u32>, Vec<f32>) = all.unzip();
         let difference = first_difference(size, &surface, &picture.surface)

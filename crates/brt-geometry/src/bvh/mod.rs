@@ -79,13 +79,6 @@ fn push_sorted(open: &mut Open, node: &Node, touched: u32, near: [f32; 4]) {
     }
 }
 
-impl Bvh {
-    /// Middle of all boxes, and no less than the length of their longest side.
-    pub(crate) fn extent(&self) -> (Vec3, f64) {
-        (self.center, 2.0 * f64::from(self.reach))
-    }
-}
-
 impl Node {
     const EMPTY: Self = Self {
         planes: [[f32x4::splat(f32::INFINITY); 3], [f32x4::splat(f32::NEG_INFINITY); 3]],

@@ -22,8 +22,9 @@ pub struct PreparedCamera {
 }
 
 impl PreparedCamera {
-    /// The rays of a grid. The camera must have passed the scene's check.
-    pub fn new(camera: &Camera, grid: &SampleGrid) -> Self {
+    /// The rays of a grid in coordinates that have this point of the scene as their origin
+    /// ([`PreparedScene::origin`](crate::PreparedScene::origin)). The camera must have passed the scene's check.
+    pub fn new(camera: &Camera, origin: Vec3, grid: &SampleGrid) -> Self {
         let forward = (camera.look_at - camera.eye).try_normalize().unwrap_or_default();
         let right = forward.cross(camera.up.try_normalize().unwrap_or_default()).normalize();
         let (wide, high) = (f64::from(grid.samples_wide()), f64::from(grid.samples_high()));
@@ -32,7 +33,7 @@ impl PreparedCamera {
             Projection::Orthographic { extent } => (false, 0.5 * extent),
         };
         Self {
-            eye: camera.eye,
+            eye: camera.eye - origin,
             forward,
             right,
             up: right.cross(forward),
@@ -85,7 +86,7 @@ mod tests {
             up: vec3(0.0, 1.0, 0.0),
             projection: Projection::Perspective { fov_deg: 90.0 },
         };
-        let rays = PreparedCamera::new(&camera, &SampleGrid::new([4, 2], Samples::One));
+        let rays = PreparedCamera::new(&camera, Vec3::ZERO, &SampleGrid::new([4, 2], Samples::One));
         // tan 45° = 1 over two rows: the middle of the first row is 0.5 up, of the first column 1.5 left.
         let d = rays.ray(0.0, 0.0).direction;
         assert!((d - vec3(-1.5, 0.5, -1.0)).length() < 1e-15);

@@ -1,18 +1,20 @@
 //! Objects become primitives, each on a surface.
 
 use brt_geometry::{
-    Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, area_share, is_convex,
+    Affine, Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3, area_share, is_convex,
     polygon_plane, triangulate,
 };
 use brt_image::Rgb;
 use brt_scene::{Object, Scene, Shape};
 
 use super::mesh::flatten_mesh;
-use crate::products::{NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PrimitiveInfo, Surface};
+use crate::products::{NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PrimitiveInfo, Surface};
 
 /// Primitives of a scene and what is known of them.
 #[derive(Default)]
 pub(super) struct Flattened {
+    /// The point of the scene that becomes the origin.
+    pub(super) origin: Vec3,
     pub(super) primitives: Vec<Primitive>,
     pub(super) infos: Vec<PrimitiveInfo>,
     pub(super) surfaces: Vec<Surface>,
@@ -45,9 +47,14 @@ pub(super) struct Owner {
 }
 
 impl Flattened {
-    pub(super) fn of(scene: &Scene) -> Self {
-        let mut flat = Self::default();
-        for (index, object) in scene.objects.iter().enumerate() {
+    /// What ends the view comes before what lets it through: of primitives that are met at one distance the first counts,
+    /// and glass that stands on a floor is not to hide the floor.
+    pub(super) fn of(scene: &Scene, origin: Vec3, materials: &[PreparedMaterial]) -> Self {
+        let mut flat = Self { origin, ..Self::default() };
+        let lets_view_through = |object: &&Object| !materials[object.material.0 as usize].ends_view();
+        let (through, opaque): (Vec<_>, Vec<_>) =
+            scene.objects.iter().enumerate().partition(|(_, object)| lets_view_through(object));
+        for (index, object) in opaque.into_iter().chain(through) {
             let material = &scene.materials[object.material.0 as usize];
             let owner = Owner {
                 object: index,
@@ -88,27 +95,37 @@ impl Flattened {
     }
 
     fn add_object(&mut self, object: &Object, owner: Owner) {
+        let origin = self.origin;
+        let here = |p: &Vec3| *p - origin;
         match &object.shape {
             Shape::Sphere { center, radius } => {
-                self.add_alone(Primitive::Sphere(Sphere { center: *center, radius: *radius }), owner);
+                self.add_alone(Primitive::Sphere(Sphere { center: here(center), radius: *radius }), owner);
             }
             Shape::Plane { normal, distance } => {
                 let length = normal.length();
                 let unit = normal.try_normalize().unwrap_or_default();
-                self.add_alone(Primitive::Plane(Plane::new(unit, distance / length)), owner);
+                let plane = Plane::new(unit, distance / length - unit.dot(origin));
+                self.add_alone(Primitive::Plane(plane), owner);
             }
-            Shape::Polygon { outline, holes } => self.add_polygon(outline, holes, owner),
+            Shape::Polygon { outline, holes } => {
+                let holes: Vec<Vec<Vec3>> =
+                    holes.iter().map(|hole| hole.iter().map(here).collect()).collect();
+                self.add_polygon(&outline.iter().map(here).collect::<Vec<_>>(), &holes, owner);
+            }
             Shape::Disc { center, normal, radius } => {
                 let unit = normal.try_normalize().unwrap_or_default();
-                self.add_alone(Primitive::Disc(Disc::new(*center, unit, *radius)), owner);
+                self.add_alone(Primitive::Disc(Disc::new(here(center), unit, *radius)), owner);
             }
             Shape::Cylinder { base, top, radius, capped } => {
-                self.add_round([*base, *top], [*radius, *radius], *capped, owner);
+                self.add_round([here(base), here(top)], [*radius, *radius], *capped, owner);
             }
             Shape::Cone { base, base_radius, top, top_radius, capped } => {
-                self.add_round([*base, *top], [*base_radius, *top_radius], *capped, owner);
+                self.add_round([here(base), here(top)], [*base_radius, *top_radius], *capped, owner);
             }
-            Shape::Mesh(mesh) => flatten_mesh(mesh, &object.transform, owner, self),
+            Shape::Mesh(mesh) => {
+                let map = Affine { offset: object.transform.offset - origin, ..object.transform };
+                flatten_mesh(mesh, &map, owner, self);
+            }
         }
     }
 

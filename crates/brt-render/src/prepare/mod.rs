@@ -3,24 +3,30 @@
 mod camera;
 mod flatten;
 mod mesh;
+mod origin;
 
 pub use camera::PreparedCamera;
 
-use brt_geometry::{Bvh, Exponent, Extents, Grid, Primitive, SpatialIndex};
+use brt_geometry::{Aabb, Bvh, Exponent, Extents, Grid, Primitive, SpatialIndex, Vec3};
 use brt_image::Rgb;
 use brt_scene::{Light, Material, Scene, Shape};
 
-use crate::products::{Beam, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo};
+use crate::products::{
+    Beam, PreparedChecker, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo,
+};
 use crate::settings::Accelerator;
 use flatten::Flattened;
+use origin::origin_of;
 
 /// So few bounded primitives are tested faster than a tree over them is entered.
 const FEW: usize = 3;
 
 /// Flattens a scene and builds an index over its primitives. The scene must have passed [`Scene::check`].
 pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
-    let Flattened { primitives, infos, surfaces, normals, colors, texcoords } = Flattened::of(scene);
-    let materials: Vec<_> = scene.materials.iter().map(prepare_material).collect();
+    let origin = origin_of(scene);
+    let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
+    let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } =
+        Flattened::of(scene, origin, &materials);
     let dims = |info: &PrimitiveInfo| info.casts_shadow && materials[info.material as usize].dims();
     let has_dimmers = infos.iter().any(dims);
     let mut boxes = Vec::with_capacity(primitives.len());
@@ -31,6 +37,8 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
             None => outside.push(id),
         }
     }
+    let bounds = boxes.iter().map(|b| b.1).reduce(Aabb::union);
+    let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
     if accelerator == Accelerator::Bvh && boxes.len() <= FEW {
         outside.extend(boxes.drain(..).map(|(id, _)| id));
     }
@@ -45,12 +53,14 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
     };
     PreparedScene {
         index,
+        bounds,
+        origin,
         primitives,
         infos,
         surfaces,
         normals,
         outside,
-        lights: scene.lights.iter().map(prepare_light).collect(),
+        lights: scene.lights.iter().map(|light| prepare_light(light, origin)).collect(),
         materials,
         background: scene.background,
         darkest: if has_negative_light(scene) { f32::NEG_INFINITY } else { 0.0 },
@@ -73,13 +83,13 @@ fn has_negative_light(scene: &Scene) -> bool {
             .any(|object| matches!(&object.shape, Shape::Mesh(mesh) if mesh.colors.iter().any(is_negative)))
 }
 
-fn prepare_light(light: &Light) -> PreparedLight {
+fn prepare_light(light: &Light, origin: Vec3) -> PreparedLight {
     match light {
         Light::Point { position, color } => {
-            PreparedLight::Point { position: *position, color: *color, beam: None }
+            PreparedLight::Point { position: *position - origin, color: *color, beam: None }
         }
         Light::Spot { position, direction, color, inner_deg, outer_deg } => PreparedLight::Point {
-            position: *position,
+            position: *position - origin,
             color: *color,
             beam: Some(Beam::new(*direction, *inner_deg, *outer_deg)),
         },
@@ -90,12 +100,12 @@ fn prepare_light(light: &Light) -> PreparedLight {
     }
 }
 
-pub(crate) fn prepare_material(m: &Material) -> PreparedMaterial {
+pub(crate) fn prepare_material(m: &Material, origin: Vec3) -> PreparedMaterial {
     PreparedMaterial {
         color: m.color,
         emission: m.emission,
         opacity: m.opacity,
-        checker: m.checker.clone(),
+        checker: m.checker.as_ref().map(|checker| PreparedChecker::new(checker, origin)),
         texture: m.texture.as_ref().map(PreparedTexture::new),
         ambient: m.ambient,
         diffuse: m.diffuse,

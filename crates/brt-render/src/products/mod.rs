@@ -23,7 +23,8 @@ pub(crate) use history::Step;
 pub(crate) use pattern::SamplePattern;
 pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
 pub(crate) use prepared::{
-    Beam, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedLight, PreparedMaterial, PrimitiveInfo,
+    Beam, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedChecker, PreparedLight, PreparedMaterial,
+    PrimitiveInfo,
 };
 pub use prepared::{PreparedScene, Surface};
 pub use stats::{BlockCounts, PixelCounts, RayCounts, Seconds, Stats};

@@ -1,8 +1,8 @@
 //! The scene as the tracers want it.
 
-use brt_geometry::{Exponent, Primitive, SpatialIndex, Vec3};
+use brt_geometry::{Aabb, Exponent, Primitive, Real, SpatialIndex, Vec3};
 use brt_image::Rgb;
-use brt_scene::{Checker, Highlight};
+use brt_scene::{Axis, Checker, Highlight};
 
 use super::PreparedTexture;
 
@@ -21,6 +21,10 @@ pub struct PreparedScene {
     pub(crate) outside: Vec<u32>,
     /// Items are primitive ids.
     pub(crate) index: SpatialIndex,
+    /// What holds all primitives that have a box, wherever they are kept; a point where there are none.
+    pub(crate) bounds: Aabb,
+    /// The point of the scene that is the origin here: everything, eye and lights included, was moved by it.
+    pub(crate) origin: Vec3,
     pub(crate) lights: Vec<PreparedLight>,
     pub(crate) materials: Vec<PreparedMaterial>,
     pub(crate) background: Rgb,
@@ -35,6 +39,11 @@ pub struct PreparedScene {
 }
 
 impl PreparedScene {
+    /// The point of the scene that is the origin of prepared coordinates, for [`PreparedCamera`](crate::PreparedCamera).
+    pub fn origin(&self) -> Vec3 {
+        self.origin
+    }
+
     /// Number of primitives.
     pub fn primitive_count(&self) -> usize {
         self.primitives.len()
@@ -117,11 +126,39 @@ pub(crate) struct Beam {
     pub(crate) steepness: f64,
 }
 
+/// A chequered pattern, in prepared coordinates.
+#[derive(Clone, Debug)]
+pub(crate) struct PreparedChecker {
+    /// The colour of every other square.
+    pub(crate) color: Rgb,
+    /// Side of the squares.
+    pub(crate) size: f64,
+    axis: Axis,
+    origin: Vec3,
+}
+
+impl PreparedChecker {
+    pub(crate) fn new(checker: &Checker, origin: Vec3) -> Self {
+        Self { color: checker.color, size: checker.size, axis: checker.axis, origin }
+    }
+
+    /// Where the pattern sees a point, in the scene's own coordinates.
+    #[inline(always)]
+    pub(crate) fn place<R: Real>(&self, point: &Vec3<R>) -> (R, R) {
+        let Vec3 { x, y, z } = *point + self.origin.lift();
+        match self.axis {
+            Axis::X => (y, z),
+            Axis::Y => (x, z),
+            Axis::Z => (x, y),
+        }
+    }
+}
+
 /// A material without its name; fields as in [`brt_scene::Material`].
 #[derive(Clone, Debug)]
 pub(crate) struct PreparedMaterial {
     pub(crate) color: Rgb,
-    pub(crate) checker: Option<Checker>,
+    pub(crate) checker: Option<PreparedChecker>,
     pub(crate) texture: Option<PreparedTexture>,
     pub(crate) emission: Rgb,
     pub(crate) opacity: f64,

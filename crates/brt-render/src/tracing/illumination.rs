@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn light_from_above_on_a_matte_floor() {
-        let material = prepare_material(&Material::matte("m", rgb(0.5, 0.25, 1.0)));
+        let material = prepare_material(&Material::matte("m", rgb(0.5, 0.25, 1.0)), Vec3::ZERO);
         let up = vec3(0.0, 1.0, 0.0);
         // l at 60° from the normal: n·l = 0.5; diffuse 0.8: 0.4 of the colour
         let light = vec3(0.75_f64.sqrt(), 0.5, 0.0);
@@ -84,7 +84,7 @@ mod tests {
     fn phong_and_blinn_peak_where_they_must() {
         let shiny =
             Material { specular: 1.0, exponent: 2.0, diffuse: 0.0, ..Material::matte("m", Rgb::WHITE) };
-        let mut material = prepare_material(&shiny);
+        let mut material = prepare_material(&shiny, Vec3::ZERO);
         let up = vec3(0.0, 1.0, 0.0);
         let directions = Directions { normal: up, light: vec3(0.6, 0.8, 0.0), viewer: vec3(-0.6, 0.8, 0.0) };
         for highlight in [Highlight::Phong, Highlight::Blinn] {

@@ -2,7 +2,6 @@
 
 use brt_geometry::{Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
-use brt_scene::Axis;
 
 use crate::products::{
     NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PreparedScene, PrimitiveInfo, TextureSample,
@@ -135,11 +134,7 @@ pub(super) fn opacity_at(scene: &PreparedScene, ray: &Ray, primitive: u32) -> f6
 /// Colour of the body at a point, and the square of the pattern that it lies in.
 fn body_at(material: &PreparedMaterial, point: Vec3) -> (Rgb, Option<u64>) {
     let Some(checker) = &material.checker else { return (material.color, None) };
-    let (a, b) = match checker.axis {
-        Axis::X => (point.y, point.z),
-        Axis::Y => (point.x, point.z),
-        Axis::Z => (point.x, point.y),
-    };
+    let (a, b) = checker.place(&point);
     // Casts of floats saturate, so points far away lie in the last square.
     let column = (a / checker.size).floor() as i64;
     let row = (b / checker.size).floor() as i64;

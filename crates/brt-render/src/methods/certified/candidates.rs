@@ -63,10 +63,7 @@ impl<'a> Candidates<'a> {
 
     /// The shaft of rays up to distance `end`, wide enough for all that rays are said to hit.
     pub(super) fn shaft(&self, origin: &Vec3<Taylor>, direction: &Vec3<Taylor>, end: f64) -> Option<Shaft> {
-        match &self.scene.index {
-            SpatialIndex::Bvh(tree) => Shaft::around_in(tree, origin, direction, end),
-            _ => Shaft::around(origin, direction, end),
-        }
+        Shaft::around_in(&self.scene.bounds, origin, direction, end)
     }
 
     /// Finds what a shaft may touch of a list, or of the whole scene, and `passes`; returns whether that is everything

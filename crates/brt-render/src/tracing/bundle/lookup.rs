@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use brt_geometry::{Bvh, Shaft, SimdLevel, SpatialIndex, Traversal};
+use brt_geometry::{Aabb, Shaft, SimdLevel, SpatialIndex, Traversal};
 
 use super::Bundle;
 use super::ways::Ways;
@@ -54,7 +54,7 @@ impl Lookup {
             scene,
             rays.count,
             #[inline(always)]
-            |tree| Shaft::around_rays_in(tree, &rays.rays[..rays.packets()], f64::INFINITY),
+            |bounds| Shaft::around_rays_in(bounds, &rays.rays[..rays.packets()], f64::INFINITY),
             |_| true,
             try_list,
         )
@@ -71,7 +71,7 @@ impl Lookup {
             scene,
             ways.lit.iter().map(|lit| lit.count() as usize).sum(),
             #[inline(always)]
-            |tree| ways.shaft(tree),
+            |bounds| ways.shaft(bounds),
             |id| scene.infos[id as usize].casts_shadow,
             try_list,
         )
@@ -81,7 +81,7 @@ impl Lookup {
         &mut self,
         scene: &PreparedScene,
         count: usize,
-        shaft: impl FnOnce(&Bvh) -> Option<Shaft>,
+        shaft: impl FnOnce(&Aabb) -> Option<Shaft>,
         counts: impl Fn(u32) -> bool,
         mut try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
     ) -> bool {
@@ -96,7 +96,7 @@ impl Lookup {
         if count < LEAST_RAYS {
             return false;
         }
-        let Some(shaft) = shaft_of(bvh, shaft) else { return false };
+        let Some(shaft) = shaft_of(&scene.bounds, shaft) else { return false };
         // Single rays try all of these, wherever they are.
         list.extend(scene.outside.iter().filter(|&&id| counts(id)));
         let (mut spent, most) = (0, BOXES_PER_TRY * (MOST_TRIED + MOST_TRIED_PER_RAY * count));
@@ -129,9 +129,9 @@ impl Lookup {
 }
 
 /// The shaft, computed in lanes.
-fn shaft_of(tree: &Bvh, shaft: impl FnOnce(&Bvh) -> Option<Shaft>) -> Option<Shaft> {
+fn shaft_of(bounds: &Aabb, shaft: impl FnOnce(&Aabb) -> Option<Shaft>) -> Option<Shaft> {
     SimdLevel::default().run(
         #[inline(always)]
-        || shaft(tree),
+        || shaft(bounds),
     )
 }

@@ -2,7 +2,6 @@
 
 use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Primitive, Ray, Real, SimdLevel, Vec3};
 use brt_image::Rgb;
-use brt_scene::Axis;
 
 use super::hits::Hits;
 use super::starts::Starts;
@@ -149,11 +148,7 @@ impl Seen {
 #[inline(always)]
 fn body_at(material: &PreparedMaterial, point: &Vec3<Lanes>) -> Rgb<Lanes> {
     let Some(checker) = &material.checker else { return lift(material.color) };
-    let (a, b) = match checker.axis {
-        Axis::X => (point.y, point.z),
-        Axis::Y => (point.x, point.z),
-        Axis::Z => (point.x, point.y),
-    };
+    let (a, b) = checker.place(point);
     let cell = |x: f64| (x / checker.size).floor() as i64;
     let is_even = LaneMask::from_fn(|i| (cell(a.0[i]) ^ cell(b.0[i])) & 1 == 0);
     select(is_even, lift(material.color), lift(checker.color))

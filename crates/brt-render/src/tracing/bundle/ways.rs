@@ -1,6 +1,6 @@
 //! The ways from points of a surface to a light.
 
-use brt_geometry::{Bvh, LaneMask, LaneRays, Lanes, Mask, Real, Shaft, Vec3, vec3};
+use brt_geometry::{Aabb, LaneMask, LaneRays, Lanes, Mask, Real, Shaft, Vec3, vec3};
 
 use super::{NOWHERE, PACKETS, lane_of};
 use crate::products::PreparedLight;
@@ -18,7 +18,7 @@ pub(super) struct Ways<'s> {
 impl Ways<'_> {
     /// What holds all ways that matter.
     #[inline(always)]
-    pub(super) fn shaft(&self, tree: &Bvh) -> Option<Shaft> {
+    pub(super) fn shaft(&self, bounds: &Aabb) -> Option<Shaft> {
         let (mut points, mut rays) = ([NOWHERE; PACKETS], [NOT_YET; PACKETS]);
         let packets = self.points.len();
         let first = self.lit.iter().position(|lit| lit.any())?;
@@ -43,7 +43,7 @@ impl Ways<'_> {
             PreparedLight::Point { .. } => (1.0, -1.0),
             PreparedLight::Directional { .. } => (f64::INFINITY, 1.0),
         };
-        let shaft = Shaft::around_rays_in(tree, rays, end)?;
+        let shaft = Shaft::around_rays_in(bounds, rays, end)?;
         let up = self.up();
         let rise = (up * along).lift();
         let all_rise = rays.iter().all(

@@ -4,7 +4,6 @@
 
 use brt_geometry::{Taylor, Vec3};
 use brt_image::Rgb;
-use brt_scene::Axis;
 
 use crate::products::PreparedMaterial;
 
@@ -14,11 +13,7 @@ pub(in crate::methods::certified) fn cell_color(
     points: &Vec3<Taylor>,
 ) -> Option<Rgb> {
     let Some(checker) = &material.checker else { return Some(material.color) };
-    let (a, b) = match checker.axis {
-        Axis::X => (points.y, points.z),
-        Axis::Y => (points.x, points.z),
-        Axis::Z => (points.x, points.y),
-    };
+    let (a, b) = checker.place(points);
     let cell = |x: Taylor| {
         let [lo, hi] = x.range().map(|x| (x / checker.size).floor() as i64);
         (lo == hi).then_some(lo)
