@@ -25,6 +25,13 @@ impl Cone {
         let axis = self.axis.lift::<R>();
         let slope = R::constant(self.slope);
         let from_base = ray.origin - self.base.lift();
+        // Counted from where the ray is nearest to the base, unless it starts on the cone: of a cone far away the terms of the
+        // quadratic are else differences of numbers that are all rounding, as those of a sphere are.
+        let skipped = match start {
+            Start::OnPrimitive => R::constant(0.0),
+            Start::Elsewhere => -from_base.dot(ray.direction) * ray.inv_dd,
+        };
+        let from_base = from_base + ray.direction * skipped;
         let (height, climb) = (from_base.dot(axis), ray.direction.dot(axis));
         let across = ray.direction - axis * climb;
         let from_axis = from_base - axis * height;
@@ -35,7 +42,7 @@ impl Cone {
         // Between its ends the radius is not negative, so the other nappe never counts.
         let on_side = |t: R| {
             let h = height + climb * t;
-            Hit::at(t, h.ge(zero) & h.le(R::constant(self.height)))
+            Hit::at(skipped + t, h.ge(zero) & h.le(R::constant(self.height)))
         };
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);

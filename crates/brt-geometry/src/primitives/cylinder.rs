@@ -35,14 +35,16 @@ impl Cylinder {
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);
         }
-        let c = from_axis.length_squared() - R::constant(self.radius * self.radius);
-        let discriminant = b * b - a * c;
-        let meets = discriminant.ge(zero);
+        // As of a sphere: the square of half the chord, from where the ray is nearest to the axis.
+        let inverse = R::constant(1.0) / a;
+        let nearest = from_axis - across * (b * inverse);
+        let half_chord = R::constant(self.radius * self.radius) - nearest.length_squared();
+        let meets = half_chord.ge(zero);
         if !meets.any() {
             return Hit::none();
         }
-        let root = discriminant.max(zero).sqrt();
-        let hit = on_side((-b - root) / a).nearer(on_side((root - b) / a));
+        let root = (half_chord.max(zero) * a).sqrt();
+        let hit = on_side((-b - root) * inverse).nearer(on_side((root - b) * inverse));
         Hit { found: hit.found & meets, t: hit.t }
     }
 

@@ -21,14 +21,19 @@ impl Sphere {
             // c = 0: the roots are 0 and -2b/a.
             return Hit::at(R::constant(-2.0) * b * ray.inv_dd, R::Mask::TRUE);
         }
-        let c = from_center.length_squared() - R::constant(self.radius * self.radius);
         let zero = R::constant(0.0);
-        let discriminant = b * b - ray.dd * c;
-        let meets = discriminant.ge(zero) & (c.le(zero) | b.lt(zero));
+        let radius_squared = R::constant(self.radius * self.radius);
+        // The square of half the chord, from where the ray is nearest to the centre. The textbook's b² − dd·c is the same in
+        // units of dd, but of a ball far away it is a difference of numbers that are all rounding: it would look thousands
+        // of times its size (Haines, Günther, Akenine-Möller 2019).
+        let nearest = from_center - ray.direction * (b * ray.inv_dd);
+        let half_chord = radius_squared - nearest.length_squared();
+        let is_ahead = (from_center.length_squared() - radius_squared).le(zero) | b.lt(zero);
+        let meets = half_chord.ge(zero) & is_ahead;
         if !meets.any() {
             return Hit::none();
         }
-        let root = discriminant.max(zero).sqrt();
+        let root = (half_chord.max(zero) * ray.dd).sqrt();
         let near = -b - root;
         let t = R::select(near.gt(zero), near, root - b) * ray.inv_dd;
         Hit::at(t, meets)
