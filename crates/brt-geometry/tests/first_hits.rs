@@ -106,8 +106,13 @@ fn discs() {
 
 #[test]
 fn cylinders_are_open_and_have_two_sides() {
-    let pipe =
-        Primitive::Cylinder(Cylinder { base: vec3(0.0, -1.0, 0.0), axis: Y, height: 3.0, radius: 2.0 });
+    let pipe = Primitive::Cylinder(Cylinder {
+        base: vec3(0.0, -1.0, 0.0),
+        axis: Y,
+        low: 0.0,
+        high: 3.0,
+        radius: 2.0,
+    });
     assert_eq!(from(&pipe, vec3(5.0, 0.0, 0.0), -X), Some(3.0));
     assert_eq!(from(&pipe, Vec3::ZERO, X), Some(2.0), "from inside");
     assert_eq!(from(&pipe, vec3(5.0, 2.5, 0.0), -X), None, "above");
@@ -126,8 +131,14 @@ fn cylinders_are_open_and_have_two_sides() {
 #[test]
 fn cones_have_one_nappe_and_a_tip() {
     // Radius 2 at y = 0, tip at y = 4: the radius falls by ½ a unit.
-    let cone =
-        Primitive::Cone(Cone { base: Vec3::ZERO, axis: Y, height: 4.0, base_radius: 2.0, slope: -0.5 });
+    let cone = Primitive::Cone(Cone {
+        base: Vec3::ZERO,
+        axis: Y,
+        low: 0.0,
+        high: 4.0,
+        base_radius: 2.0,
+        slope: -0.5,
+    });
     assert!(about(from(&cone, vec3(5.0, 2.0, 0.0), -X), 4.0), "radius 1 at half height");
     assert!(about(from(&cone, vec3(0.0, 2.0, 0.0), X), 1.0), "from inside");
     assert!(about(from(&cone, vec3(0.0, 9.0, 0.0), -Y), 5.0), "onto its tip");
@@ -148,8 +159,14 @@ fn cones_have_one_nappe_and_a_tip() {
 
 #[test]
 fn a_cone_widens_upwards_too() {
-    let funnel =
-        Primitive::Cone(Cone { base: Vec3::ZERO, axis: Y, height: 2.0, base_radius: 1.0, slope: 1.0 });
+    let funnel = Primitive::Cone(Cone {
+        base: Vec3::ZERO,
+        axis: Y,
+        low: 0.0,
+        high: 2.0,
+        base_radius: 1.0,
+        slope: 1.0,
+    });
     assert!(about(from(&funnel, vec3(9.0, 1.0, 0.0), -X), 7.0));
     // Straight down at x = 2: met where the radius is 2, at y = 1.
     assert!(about(from(&funnel, vec3(2.0, 5.0, 0.0), -Y), 4.0));

@@ -45,7 +45,7 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Materials, named by objects through [`MaterialId`].
     pub materials: Vec<Material>,
-    /// Objects; where two are hit at the same distance, the earlier one is seen.
+    /// Objects; where two are hit at the same distance, the earlier one is seen, but what lets the view through last.
     pub objects: Vec<Object>,
 }
 

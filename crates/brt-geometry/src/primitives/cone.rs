@@ -6,13 +6,15 @@ use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
 /// The curved side of a cone or frustum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
-    /// One end of the axis.
+    /// A point of the axis, from which heights count.
     pub base: Vec3,
-    /// Unit vector along the axis, away from the base.
+    /// Unit vector along the axis.
     pub axis: Vec3,
-    /// Length of the axis, > 0.
-    pub height: f64,
-    /// Radius at the base, ≥ 0.
+    /// Height where the side begins.
+    pub low: f64,
+    /// Height where it ends, > `low`.
+    pub high: f64,
+    /// Radius at height 0. Between `low` and `high` the radius is not negative.
     pub base_radius: f64,
     /// Growth of the radius per unit of the axis.
     pub slope: f64,
@@ -42,7 +44,7 @@ impl Cone {
         // Between its ends the radius is not negative, so the other nappe never counts.
         let on_side = |t: R| {
             let h = height + climb * t;
-            Hit::at(skipped + t, h.ge(zero) & h.le(R::constant(self.height)))
+            Hit::at(skipped + t, h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);
@@ -73,9 +75,10 @@ impl Cone {
     /// A box around it.
     pub fn bounds(&self) -> Aabb {
         let extent = circle_extent(self.axis);
-        let top_radius = self.base_radius + self.slope * self.height;
-        let top = self.base + self.axis * self.height;
-        Aabb::around(self.base, extent * self.base_radius)
-            .union(Aabb::around(top, extent * top_radius.max(0.0)))
+        let at = |height: f64| {
+            let radius = (self.base_radius + self.slope * height).max(0.0);
+            Aabb::around(self.base + self.axis * height, extent * radius)
+        };
+        at(self.low).union(at(self.high))
     }
 }

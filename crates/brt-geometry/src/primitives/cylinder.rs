@@ -6,12 +6,14 @@ use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
 /// The curved side of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    /// One end of the axis.
+    /// A point of the axis, from which heights count.
     pub base: Vec3,
-    /// Unit vector along the axis, away from the base.
+    /// Unit vector along the axis.
     pub axis: Vec3,
-    /// Length of the axis, > 0.
-    pub height: f64,
+    /// Height where the side begins.
+    pub low: f64,
+    /// Height where it ends, > `low`.
+    pub high: f64,
     /// Radius, > 0.
     pub radius: f64,
 }
@@ -30,7 +32,7 @@ impl Cylinder {
         let zero = R::constant(0.0);
         let on_side = |t: R| {
             let h = height + climb * t;
-            Hit::at(t, h.ge(zero) & h.le(R::constant(self.height)))
+            Hit::at(t, h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);
@@ -59,6 +61,7 @@ impl Cylinder {
     /// A box around it.
     pub fn bounds(&self) -> Aabb {
         let end = circle_extent(self.axis) * self.radius;
-        Aabb::around(self.base, end).union(Aabb::around(self.base + self.axis * self.height, end))
+        let at = |height: f64| Aabb::around(self.base + self.axis * height, end);
+        at(self.low).union(at(self.high))
     }
 }

@@ -27,14 +27,21 @@ pub(crate) fn random_primitive(random: &mut Random, kind: u32) -> Primitive {
             Primitive::Polygon(Polygon { plane: Plane::through(base, axis), corners })
         }
         4 => Primitive::Disc(Disc::new(base, axis, height)),
-        5 => Primitive::Cylinder(Cylinder { base, axis, height, radius: random.magnitude(-1.5, 0.3) }),
+        5 => Primitive::Cylinder(Cylinder {
+            base,
+            axis,
+            low: 0.0,
+            high: height,
+            radius: random.magnitude(-1.5, 0.3),
+        }),
         _ => {
             let (base_radius, top_radius) = (random.between(0.0, 1.5), random.between(0.0, 1.5));
             let top_radius = if random.one_in(3) { 0.0 } else { top_radius };
             Primitive::Cone(Cone {
                 base,
                 axis,
-                height,
+                low: 0.0,
+                high: height,
                 base_radius,
                 slope: (top_radius - base_radius) / height,
             })

@@ -108,6 +108,9 @@ fn outline_of(id: u32, primitive: &Primitive, camera: &PreparedCamera, grid: &Sa
         return Some(anywhere);
     }
     let seen: Vec<Seen> = hull.iter().map(|&p| Seen::new(p, camera)).collect();
+    if !seen.iter().all(Seen::is_known) {
+        return Some(anywhere);
+    }
     let depth = |s: &Seen| s.depth - s.margin;
     let nearest = seen.iter().map(depth).fold(f64::INFINITY, f64::min);
     if seen.iter().all(|s| s.depth + s.margin <= 0.0) {
@@ -121,7 +124,6 @@ fn outline_of(id: u32, primitive: &Primitive, camera: &PreparedCamera, grid: &Sa
         let [lo, hi] =
             positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], [a, b]| [lo.min(a), hi.max(b)]);
         let (lo, hi) = (lo.ceil().max(0.0), hi.floor().min(f64::from(last[axis])));
-        // Written so that NaN keeps the primitive.
         if lo > hi { None } else { Some([lo as u32, hi as u32]) }
     };
     Some(Outline { x: span(0)?, y: span(1)?, nearest: nearest.max(0.0), ..anywhere })
@@ -137,6 +139,11 @@ struct Seen {
 }
 
 impl Seen {
+    /// Are the coordinates numbers? The least of numbers says nothing of what is none.
+    fn is_known(&self) -> bool {
+        [self.right, self.down, self.depth, self.margin].iter().all(|x| x.abs() < f64::INFINITY)
+    }
+
     fn new(point: Vec3, camera: &PreparedCamera) -> Self {
         let p = point - camera.eye;
         let size = |v: Vec3| v.x.abs() + v.y.abs() + v.z.abs();

@@ -150,13 +150,17 @@ impl<'a> Painter<'a> {
         let covering = |hit: &Option<BlockHit>| hit.filter(|hit| hit.is_everywhere);
         let front = self.hits.iter().filter_map(covering).min_by(|a, b| a.farthest.total_cmp(&b.farthest));
         let limit = front.map_or(f64::INFINITY, |hit| hit.farthest);
+        let first_cover = self.first_cover(first);
         let is_seen = |candidate: &Candidate, hit: &Option<BlockHit>| match hit {
             Some(hit) => hit.is_anywhere && front.is_none_or(|front| hit.may_be_before(&front)),
             None => candidate.outline.nearest <= limit,
         };
         let mut kept = 0;
         for i in 0..self.hits.len() {
-            if is_seen(&self.candidates[first + i], &self.hits[i]) {
+            let candidate = &self.candidates[first + i];
+            let is_hidden =
+                first_cover.is_some_and(|id| self.scene.hides_coincident(id, candidate.outline.primitive));
+            if !is_hidden && is_seen(candidate, &self.hits[i]) {
                 self.candidates[first + kept] = self.candidates[first + i];
                 self.hits[kept] = self.hits[i];
                 kept += 1;
@@ -164,6 +168,14 @@ impl<'a> Painter<'a> {
         }
         self.candidates.truncate(first + kept);
         self.hits.truncate(kept);
+    }
+
+    /// The first face that covers the area, of those that several are: it hides what coincides with it. Their depths are one,
+    /// so comparing them would tell nothing.
+    fn first_cover(&self, first: usize) -> Option<u32> {
+        let covers = |(_, hit): &(&Candidate, &Option<BlockHit>)| hit.is_some_and(|hit| hit.is_everywhere);
+        let candidates = self.candidates[first..].iter().zip(&self.hits);
+        candidates.filter(covers).map(|(candidate, _)| candidate.outline.primitive).min()
     }
 
     /// Z-buffer over the samples of a small area.

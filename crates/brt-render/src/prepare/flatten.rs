@@ -8,7 +8,9 @@ use brt_image::Rgb;
 use brt_scene::{Object, Scene, Shape};
 
 use super::mesh::flatten_mesh;
-use crate::products::{NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PrimitiveInfo, Surface};
+use crate::products::{
+    Carrier, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PrimitiveInfo, Surface,
+};
 
 /// Primitives of a scene and what is known of them.
 #[derive(Default)]
@@ -89,6 +91,17 @@ impl Flattened {
         });
     }
 
+    /// Removes primitives, together with their carriers.
+    pub(super) fn remove(&mut self, is_removed: &[bool], carriers: &mut Vec<Carrier>) {
+        let keeps = || is_removed.iter().map(|removed| !removed);
+        let mut keep = keeps();
+        self.primitives.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = keeps();
+        self.infos.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = keeps();
+        carriers.retain(|_| keep.next().unwrap_or(true));
+    }
+
     fn add_alone(&mut self, primitive: Primitive, owner: Owner) {
         let surface = self.add_surface(owner);
         self.add(primitive, owner, surface, Corners::default());
@@ -165,10 +178,10 @@ impl Flattened {
         let axis = (top - base).try_normalize().unwrap_or_default();
         let height = (top - base).length();
         let side = if base_radius == top_radius {
-            Primitive::Cylinder(Cylinder { base, axis, height, radius: base_radius })
+            Primitive::Cylinder(Cylinder { base, axis, low: 0.0, high: height, radius: base_radius })
         } else {
             let slope = (top_radius - base_radius) / height;
-            Primitive::Cone(Cone { base, axis, height, base_radius, slope })
+            Primitive::Cone(Cone { base, axis, low: 0.0, high: height, base_radius, slope })
         };
         self.add_alone(side, owner);
         if capped {

@@ -1,6 +1,7 @@
 //! From the scene as data to the scene as the tracers want it.
 
 mod camera;
+mod coincident;
 mod flatten;
 mod mesh;
 mod origin;
@@ -15,6 +16,7 @@ use crate::products::{
     Beam, PreparedChecker, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo,
 };
 use crate::settings::Accelerator;
+use coincident::{contacts, duplicates, share_carriers};
 use flatten::Flattened;
 use origin::origin_of;
 
@@ -25,8 +27,13 @@ const FEW: usize = 3;
 pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
     let origin = origin_of(scene);
     let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
-    let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } =
-        Flattened::of(scene, origin, &materials);
+    let mut flat = Flattened::of(scene, origin, &materials);
+    let bounds = flat.primitives.iter().filter_map(Primitive::bounds).reduce(Aabb::union);
+    let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
+    let mut carriers = share_carriers(&mut flat.primitives, &bounds);
+    flat.remove(&duplicates(&flat.primitives, &flat.infos, &carriers, &materials), &mut carriers);
+    let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } = flat;
+    let contacts = contacts(&primitives, &infos, &carriers, &surfaces, &materials);
     let dims = |info: &PrimitiveInfo| info.casts_shadow && materials[info.material as usize].dims();
     let has_dimmers = infos.iter().any(dims);
     let mut boxes = Vec::with_capacity(primitives.len());
@@ -37,8 +44,6 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
             None => outside.push(id),
         }
     }
-    let bounds = boxes.iter().map(|b| b.1).reduce(Aabb::union);
-    let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
     if accelerator == Accelerator::Bvh && boxes.len() <= FEW {
         outside.extend(boxes.drain(..).map(|(id, _)| id));
     }
@@ -55,6 +60,8 @@ pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
         index,
         bounds,
         origin,
+        carriers,
+        contacts,
         primitives,
         infos,
         surfaces,

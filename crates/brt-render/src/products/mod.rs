@@ -2,6 +2,7 @@
 
 mod area;
 mod block;
+mod carrier;
 mod certificate;
 mod clearance;
 mod grid;
@@ -15,6 +16,7 @@ mod tile;
 
 pub(crate) use area::Area;
 pub(crate) use block::Block;
+pub(crate) use carrier::Carrier;
 pub use certificate::{Certificate, CertificateCounts, Tries};
 pub(crate) use clearance::{CLEARANCE, slack};
 pub use grid::SampleGrid;

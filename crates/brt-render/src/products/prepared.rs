@@ -1,10 +1,10 @@
 //! The scene as the tracers want it.
 
-use brt_geometry::{Aabb, Exponent, Primitive, Real, SpatialIndex, Vec3};
+use brt_geometry::{Aabb, Exponent, Primitive, Real, SpatialIndex, Start, Vec3};
 use brt_image::Rgb;
 use brt_scene::{Axis, Checker, Highlight};
 
-use super::PreparedTexture;
+use super::{Carrier, PreparedTexture};
 
 /// A scene flattened to primitives, with an index over them.
 #[derive(Clone, Debug)]
@@ -13,6 +13,10 @@ pub struct PreparedScene {
     pub(crate) primitives: Vec<Primitive>,
     /// One for each primitive.
     pub(crate) infos: Vec<PrimitiveInfo>,
+    /// One for each primitive.
+    pub(crate) carriers: Vec<Carrier>,
+    /// Planes on which faces of several transparent objects lie, in their order.
+    pub(crate) contacts: Vec<Carrier>,
     /// What may be interpolated across.
     pub(crate) surfaces: Vec<Surface>,
     /// Shading normals of smooth triangles.
@@ -49,9 +53,33 @@ impl PreparedScene {
         self.primitives.len()
     }
 
+    /// Does a ray that leaves `from` start on a primitive?
+    #[inline(always)]
+    pub(crate) fn start(&self, id: u32, from: Carrier) -> Start {
+        if self.carriers[id as usize] == from { Start::OnPrimitive } else { Start::Elsewhere }
+    }
+
+    /// What rays leave that start on a primitive.
+    #[inline(always)]
+    pub(crate) fn carrier(&self, id: u32) -> Carrier {
+        self.carriers[id as usize]
+    }
+
+    /// What a primitive is made of.
+    pub(crate) fn material_of(&self, id: u32) -> &PreparedMaterial {
+        &self.materials[self.infos[id as usize].material as usize]
+    }
+
+    /// Do faces lie in one plane, of which the first is what all rays meet that meet both?
+    pub(crate) fn hides_coincident(&self, first: u32, second: u32) -> bool {
+        first < second
+            && self.carrier(first) == self.carrier(second)
+            && self.primitives[first as usize].is_flat()
+    }
+
     /// Does a primitive, if it casts shadows, only dim the lights behind it?
     pub(crate) fn dims(&self, id: u32) -> bool {
-        self.materials[self.infos[id as usize].material as usize].dims()
+        self.material_of(id).dims()
     }
 
     /// All surfaces; ray histories and surface layers name them by position.

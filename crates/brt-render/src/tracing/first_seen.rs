@@ -2,8 +2,8 @@
 
 use brt_geometry::Ray;
 
-use super::search::{FROM_NOWHERE, Search};
-use crate::products::PreparedScene;
+use super::search::Search;
+use crate::products::{Carrier, PreparedScene};
 
 /// What a ray meets first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub struct FirstSeen {
 impl PreparedScene {
     /// What a ray meets first, `None` for the background.
     pub fn first_seen(&self, ray: &Ray) -> Option<FirstSeen> {
-        let met = Search::new(self).closest(ray, FROM_NOWHERE)?;
+        let met = Search::new(self).closest(ray, Carrier::NOWHERE)?;
         Some(FirstSeen { surface: self.infos[met.primitive as usize].surface, depth: met.t })
     }
 }

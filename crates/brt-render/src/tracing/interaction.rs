@@ -4,12 +4,15 @@ use brt_geometry::{Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
 
 use crate::products::{
-    NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PreparedScene, PrimitiveInfo, TextureSample,
+    Carrier, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PreparedScene, PrimitiveInfo,
+    TextureSample,
 };
 
 /// A point on a surface, seen along a ray.
 pub(crate) struct Interaction<'a> {
     pub(crate) primitive: u32,
+    /// What rays leave that start here.
+    pub(crate) carrier: Carrier,
     pub(crate) point: Vec3,
     /// Unit normal of the primitive, on the side that the ray comes from.
     pub(crate) geometric_normal: Vec3,
@@ -55,6 +58,7 @@ impl<'a> Interaction<'a> {
         }
         Self {
             primitive,
+            carrier: scene.carrier(primitive),
             point,
             geometric_normal: turn(outward),
             normal: turn(if agrees { smooth } else { -smooth }),

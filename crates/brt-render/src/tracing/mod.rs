@@ -5,6 +5,7 @@
 
 mod bounding_spheres;
 mod bundle;
+mod contact;
 mod first_seen;
 mod guide;
 mod illumination;
@@ -30,6 +31,5 @@ pub(crate) use interaction::Interaction;
 pub(crate) use patch::{LightWays, Patch, constant};
 pub(crate) use pencil::PencilTracer;
 pub(crate) use reference::reference_sample;
-pub(crate) use search::{FROM_NOWHERE, start};
 pub(crate) use shadow_space::lights_surely_seen;
 pub(crate) use tracer::Tracer;

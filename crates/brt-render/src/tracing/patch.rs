@@ -4,11 +4,13 @@ use brt_geometry::{Mask, Ray, Real, Taylor, Vec3};
 use brt_image::{Rgb, rgb};
 
 use super::illumination::{Directions, mirrored, reflected_light};
-use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{Carrier, PreparedLight, PreparedMaterial, PreparedScene};
 
 /// The points of a primitive that a block of rays meets.
 pub(crate) struct Patch<'a> {
     pub(crate) primitive: u32,
+    /// What rays leave that start here.
+    pub(crate) carrier: Carrier,
     pub(crate) point: Vec3<Taylor>,
     /// On the side that the rays come from.
     pub(crate) normal: Vec3<Taylor>,
@@ -39,7 +41,7 @@ impl<'a> Patch<'a> {
         let viewer = -(ray.direction * ray.dd.inverse_sqrt());
         let material = &scene.materials[info.material as usize];
         let normal = if from_behind { -outward } else { outward };
-        Some(Self { primitive, point, normal, viewer, material })
+        Some(Self { primitive, carrier: scene.carrier(primitive), point, normal, viewer, material })
     }
 
     /// Where rays meet at distance `t` what shades by a normal that is known from elsewhere; on the viewer's side, and of
@@ -57,7 +59,8 @@ impl<'a> Patch<'a> {
         }
         let viewer = -(ray.direction * ray.dd.inverse_sqrt());
         let material = &scene.materials[scene.infos[primitive as usize].material as usize];
-        Some(Self { primitive, point: ray.at(t), normal, viewer, material })
+        let carrier = scene.carrier(primitive);
+        Some(Self { primitive, carrier, point: ray.at(t), normal, viewer, material })
     }
 
     /// The mirror rays.

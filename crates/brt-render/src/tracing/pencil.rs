@@ -6,14 +6,13 @@
 //! block's two picture coordinates instead of all four, the error is bounded instead of estimated, and what else the
 //! pencil may meet is bounded too, so that nothing is overlooked.
 
-use brt_geometry::{Mask, Primitive, Ray, Real, Taylor, Vec3};
+use brt_geometry::{Mask, Primitive, Ray, Real, Start, Taylor, Vec3};
 use brt_image::Rgb;
 
 use super::bounding_spheres::{BoundingSpheres, Bundle};
 use super::patch::{Patch, constant};
-use super::search::{FROM_NOWHERE, start};
 use super::shadow_space::{Ball, is_beside, light_end, shadow_bundle};
-use crate::products::{PreparedLight, PreparedScene};
+use crate::products::{Carrier, PreparedLight, PreparedScene};
 
 /// Pencils that may meet more primitives than this are split: smaller ones meet fewer.
 const MOST_CANDIDATES: usize = 24;
@@ -28,7 +27,7 @@ pub(crate) struct PencilTracer<'a> {
 impl PencilTracer<'_> {
     /// Colour over a block whose samples all see `primitive` first; `None` if the pencil must be split.
     pub(crate) fn color(&self, ray: &Ray<Taylor>, primitive: u32) -> Option<Rgb<Taylor>> {
-        let hit = self.scene.primitives[primitive as usize].first_hit(ray, start(primitive, FROM_NOWHERE));
+        let hit = self.scene.primitives[primitive as usize].first_hit(ray, Start::Elsewhere);
         hit.found.all().then_some(())?;
         self.color_of(ray, primitive, hit.t, self.max_depth)
     }
@@ -38,7 +37,7 @@ impl PencilTracer<'_> {
         constant(self.scene.background)
     }
 
-    fn color_along(&self, ray: &Ray<Taylor>, from: u32, left: u32) -> Option<Rgb<Taylor>> {
+    fn color_along(&self, ray: &Ray<Taylor>, from: Carrier, left: u32) -> Option<Rgb<Taylor>> {
         match self.nearest(ray, from)? {
             Some((primitive, t)) => self.color_of(ray, primitive, t, left),
             None => Some(self.background()),
@@ -62,7 +61,7 @@ impl PencilTracer<'_> {
         if material.reflection == 0.0 || left == 0 {
             return Some(color);
         }
-        let seen = self.color_along(&patch.mirror_ray(ray), primitive, left - 1)?;
+        let seen = self.color_along(&patch.mirror_ray(ray), patch.carrier, left - 1)?;
         Some(color + seen * Taylor::constant(material.reflection))
     }
 
@@ -83,7 +82,7 @@ impl PencilTracer<'_> {
             if !self.scene.infos[id as usize].casts_shadow || is_beside(primitive, &ball, light) {
                 continue;
             }
-            let hit = primitive.first_hit(&ray, start(id, patch.primitive));
+            let hit = primitive.first_hit(&ray, self.scene.start(id, patch.carrier));
             // An infinite limit is met by every hit; comparing with it would say nothing.
             let before =
                 if t_max.is_finite() { hit.found & hit.t.lt(Taylor::constant(t_max)) } else { hit.found };
@@ -99,12 +98,12 @@ impl PencilTracer<'_> {
     }
 
     /// What the whole pencil meets first; `Some(None)` for the background, `None` where it is not certain.
-    fn nearest(&self, ray: &Ray<Taylor>, from: u32) -> Option<Option<(u32, Taylor)>> {
+    fn nearest(&self, ray: &Ray<Taylor>, from: Carrier) -> Option<Option<(u32, Taylor)>> {
         let bundle = bundle_around(ray)?;
         let mut hits = Vec::new();
         for id in self.spheres.touched_by(&bundle) {
             let primitive: &Primitive = &self.scene.primitives[id as usize];
-            let hit = primitive.first_hit(ray, start(id, from));
+            let hit = primitive.first_hit(ray, self.scene.start(id, from));
             if hit.found.any() {
                 hits.push((id, hit));
             }

@@ -4,11 +4,12 @@ use brt_geometry::Ray;
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
+use super::contact::refraction_ratio;
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::{Interaction, opacity_at};
-use super::search::{FROM_NOWHERE, Met};
+use super::search::Met;
 use super::see_through::MOST_CROSSED;
-use crate::products::{PreparedLight, PreparedScene};
+use crate::products::{Carrier, PreparedLight, PreparedScene};
 
 /// Colour along a camera ray before this colour, and the share of it that is seen.
 pub(crate) fn reference_sample(
@@ -18,13 +19,13 @@ pub(crate) fn reference_sample(
     background: Rgb,
 ) -> (Rgb, f64) {
     let mut rays_left = MOST_RAYS_PER_SAMPLE;
-    color_along(scene, ray, FROM_NOWHERE, background, max_depth, &mut rays_left)
+    color_along(scene, ray, Carrier::NOWHERE, background, max_depth, &mut rays_left)
 }
 
 fn color_along(
     scene: &PreparedScene,
     ray: &Ray,
-    from: u32,
+    from: Carrier,
     background: Rgb,
     bounces_left: u32,
     rays_left: &mut u32,
@@ -43,7 +44,7 @@ fn color_along(
             return (color, 0.0);
         }
         *rays_left -= 1;
-        (ray, from) = (Ray::new(here.point, ray.direction), met.primitive);
+        (ray, from) = (Ray::new(here.point, ray.direction), here.carrier);
     }
 }
 
@@ -64,8 +65,9 @@ fn surface_color(
     let mut mirror_share = here.material.reflection;
     let mut through = None;
     if here.material.transmission > 0.0 {
-        let index = here.material.index_of_refraction;
-        let ratio = if here.from_behind { index } else { 1.0 / index };
+        let ratio = refraction_ratio(scene, ray, here, |ray, passes| {
+            nearest(scene, ray, Carrier::NOWHERE, f64::INFINITY, passes)
+        });
         match refracted(here.viewer, here.normal, ratio) {
             Some(direction) => through = Some(Ray::new(here.point, direction)),
             None => mirror_share += here.material.transmission,
@@ -74,16 +76,14 @@ fn surface_color(
     if mirror_share > 0.0 && *rays_left > 0 {
         *rays_left -= 1;
         let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-        let (seen, _) =
-            color_along(scene, &ray, here.primitive, scene.background, bounces_left - 1, rays_left);
+        let (seen, _) = color_along(scene, &ray, here.carrier, scene.background, bounces_left - 1, rays_left);
         color = color + seen * mirror_share;
     }
     if let Some(ray) = through
         && *rays_left > 0
     {
         *rays_left -= 1;
-        let (seen, _) =
-            color_along(scene, &ray, here.primitive, scene.background, bounces_left - 1, rays_left);
+        let (seen, _) = color_along(scene, &ray, here.carrier, scene.background, bounces_left - 1, rays_left);
         color = color + seen * here.material.transmission;
     }
     color
@@ -106,7 +106,7 @@ fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) 
 fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) -> f64 {
     let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
     let mut share = 1.0;
-    let (mut point, mut from) = (here.point, here.primitive);
+    let (mut point, mut from) = (here.point, here.carrier);
     for _ in 0..MOST_CROSSED {
         let (towards, t_max) = light.way_from(point);
         let ray = Ray::new(point, towards);
@@ -115,7 +115,7 @@ fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interacti
         if share == 0.0 {
             return 0.0;
         }
-        (point, from) = (ray.at(met.t), met.primitive);
+        (point, from) = (ray.at(met.t), scene.carrier(met.primitive));
     }
     0.0
 }
@@ -123,7 +123,7 @@ fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interacti
 fn nearest(
     scene: &PreparedScene,
     ray: &Ray,
-    from: u32,
+    from: Carrier,
     t_max: f64,
     counts: impl Fn(u32) -> bool,
 ) -> Option<Met> {

@@ -1,8 +1,8 @@
 //! Which primitive does a ray meet?
 
-use brt_geometry::{Ray, Start, Traversal};
+use brt_geometry::{Ray, Traversal};
 
-use crate::products::{Counters, PreparedScene};
+use crate::products::{Carrier, Counters, PreparedScene};
 
 /// A primitive and the distance at which a ray meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +20,8 @@ impl Met {
 
     /// Tests a primitive; keeps the nearer hit, of equally near ones that with the lower id.
     #[inline(always)]
-    pub(crate) fn test(&mut self, scene: &PreparedScene, ray: &Ray, from: u32, id: u32) {
-        let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+    pub(crate) fn test(&mut self, scene: &PreparedScene, ray: &Ray, from: Carrier, id: u32) {
+        let hit = scene.primitives[id as usize].first_hit(ray, scene.start(id, from));
         let is_nearer =
             hit.t < self.t || (hit.t == self.t && id < self.primitive && self.primitive != u32::MAX);
         if hit.found && is_nearer {
@@ -33,14 +33,6 @@ impl Met {
     pub(crate) fn found(self) -> Option<Self> {
         (self.primitive != u32::MAX).then_some(self)
     }
-}
-
-/// Says that a ray leaves no primitive.
-pub(crate) const FROM_NOWHERE: u32 = u32::MAX;
-
-#[inline(always)]
-pub(crate) fn start(id: u32, from: u32) -> Start {
-    if id == from { Start::OnPrimitive } else { Start::Elsewhere }
 }
 
 /// Searches primitives along rays.
@@ -69,7 +61,7 @@ impl<'a> Search<'a> {
 
     /// The hit of a ray that leaves `from` with a primitive that it is known to meet.
     #[inline]
-    pub(crate) fn known(&mut self, ray: &Ray, from: u32, id: u32) -> Met {
+    pub(crate) fn known(&mut self, ray: &Ray, from: Carrier, id: u32) -> Met {
         self.primitive_tests += 1;
         let mut met = Met::nothing_before(f64::INFINITY);
         met.test(self.scene, ray, from, id);
@@ -79,7 +71,7 @@ impl<'a> Search<'a> {
 
     /// The nearest of these primitives ahead of a ray that leaves `from`.
     #[inline]
-    pub(crate) fn closest_of(&mut self, ray: &Ray, from: u32, list: &[u32]) -> Option<Met> {
+    pub(crate) fn closest_of(&mut self, ray: &Ray, from: Carrier, list: &[u32]) -> Option<Met> {
         self.primitive_tests += list.len() as u64;
         let mut best = Met::nothing_before(f64::INFINITY);
         list.iter().for_each(|&id| best.test(self.scene, ray, from, id));
@@ -87,7 +79,7 @@ impl<'a> Search<'a> {
     }
 
     /// The nearest of these primitives before `t_max`, all of which cast shadows, on a ray that leaves `from`.
-    pub(crate) fn shadower_of(&mut self, ray: &Ray, from: u32, t_max: f64, list: &[u32]) -> Option<Met> {
+    pub(crate) fn shadower_of(&mut self, ray: &Ray, from: Carrier, t_max: f64, list: &[u32]) -> Option<Met> {
         self.primitive_tests += list.len() as u64;
         let mut best = Met::nothing_before(t_max);
         list.iter().for_each(|&id| best.test(self.scene, ray, from, id));
@@ -96,41 +88,46 @@ impl<'a> Search<'a> {
 
     /// Does one of these primitives, all of which cast shadows, stand before `t_max` on a ray that leaves `from`?
     #[inline]
-    pub(crate) fn is_hidden_by(&mut self, ray: &Ray, from: u32, t_max: f64, list: &[u32]) -> bool {
+    pub(crate) fn is_hidden_by(&mut self, ray: &Ray, from: Carrier, t_max: f64, list: &[u32]) -> bool {
         let (scene, tests) = (self.scene, &mut self.primitive_tests);
         list.iter().any(|&id| {
             *tests += 1;
-            let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+            let hit = scene.primitives[id as usize].first_hit(ray, scene.start(id, from));
             hit.found && hit.t < t_max
         })
     }
 
     /// The nearest primitive ahead of a ray that leaves `from`.
     #[inline]
-    pub(crate) fn closest(&mut self, ray: &Ray, from: u32) -> Option<Met> {
+    pub(crate) fn closest(&mut self, ray: &Ray, from: Carrier) -> Option<Met> {
         self.nearest(ray, from, f64::INFINITY, |_| true)
     }
 
+    /// The nearest of the primitives that pass ahead of a ray that leaves nothing.
+    pub(crate) fn closest_that(&mut self, ray: &Ray, passes: impl Fn(u32) -> bool) -> Option<Met> {
+        self.nearest(ray, Carrier::NOWHERE, f64::INFINITY, passes)
+    }
+
     /// The nearest primitive before `t_max` that casts shadows, on a ray that leaves `from`.
-    pub(crate) fn shadower(&mut self, ray: &Ray, from: u32, t_max: f64) -> Option<Met> {
+    pub(crate) fn shadower(&mut self, ray: &Ray, from: Carrier, t_max: f64) -> Option<Met> {
         let scene = self.scene;
         self.nearest(ray, from, t_max, |id| scene.infos[id as usize].casts_shadow)
     }
 
     /// Does any primitive that casts shadows stand before `t_max` on a ray that leaves `from`?
     #[inline]
-    pub(crate) fn is_hidden(&mut self, ray: &Ray, from: u32, t_max: f64) -> bool {
+    pub(crate) fn is_hidden(&mut self, ray: &Ray, from: Carrier, t_max: f64) -> bool {
         let (scene, tests) = (self.scene, &mut self.primitive_tests);
         let mut hides = |id: u32| {
             *tests += 1;
-            let hit = scene.primitives[id as usize].first_hit(ray, start(id, from));
+            let hit = scene.primitives[id as usize].first_hit(ray, scene.start(id, from));
             hit.found && hit.t < t_max && scene.infos[id as usize].casts_shadow
         };
         scene.outside.iter().any(|&id| hides(id)) || scene.index.any(ray, t_max, &mut self.walk, hides)
     }
 
     #[inline(always)]
-    fn nearest(&mut self, ray: &Ray, from: u32, t_max: f64, counts: impl Fn(u32) -> bool) -> Option<Met> {
+    fn nearest(&mut self, ray: &Ray, from: Carrier, t_max: f64, counts: impl Fn(u32) -> bool) -> Option<Met> {
         let (scene, tests) = (self.scene, &mut self.primitive_tests);
         let mut best = Met::nothing_before(t_max);
         let mut visit = |id: u32, best: &mut Met| {

@@ -10,7 +10,7 @@ use brt_image::Rgb;
 use super::guide::Unguided;
 use super::interaction::{Interaction, opacity_at};
 use super::tracer::Tracer;
-use crate::products::{NOTHING, PreparedLight, Step};
+use crate::products::{Carrier, NOTHING, PreparedLight, Step};
 use crate::settings::{Backdrop, HistoryKind};
 
 /// No way to a light is followed through more surfaces; behind them it is dark.
@@ -28,7 +28,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let mut color = front * here.opacity;
         let mut share = 1.0 - here.opacity;
-        let (mut point, mut from) = (here.point, here.primitive);
+        let (mut point, mut from) = (here.point, here.carrier);
         while share > 0.0 && self.may_follow() {
             self.counters.rays.refracted += 1;
             let ray = Ray::new(point, ray.direction);
@@ -40,7 +40,7 @@ impl Tracer<'_> {
             let layer = self.surface_color(&ray, &here, bounces_left, Unguided);
             color = color + layer * (share * here.opacity);
             share *= 1.0 - here.opacity;
-            (point, from) = (here.point, met.primitive);
+            (point, from) = (here.point, here.carrier);
         }
         color
     }
@@ -50,7 +50,7 @@ impl Tracer<'_> {
         &mut self,
         light: &PreparedLight,
         mut point: Vec3,
-        mut from: u32,
+        mut from: Carrier,
     ) -> Result<f64, u32> {
         let mut share = 1.0;
         for _ in 0..MOST_CROSSED {
@@ -64,7 +64,7 @@ impl Tracer<'_> {
                 return Err(surface);
             }
             self.history.push(Step::Crossed(surface));
-            (point, from) = (ray.at(met.t), met.primitive);
+            (point, from) = (ray.at(met.t), self.scene.carrier(met.primitive));
         }
         Err(NOTHING)
     }

@@ -5,12 +5,13 @@ use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
 use super::bundle::{Lookup, MOST_RAYS, Rooms};
+use super::contact::refraction_ratio;
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
-use super::search::{FROM_NOWHERE, Met, Search};
+use super::search::{Met, Search};
 use crate::products::Step;
-use crate::products::{Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
+use crate::products::{Carrier, Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
 use crate::settings::{Backdrop, HistoryKind};
 
 /// What tracing a sample gives.
@@ -80,7 +81,7 @@ impl<'a> Tracer<'a> {
         self.rays_left = MOST_RAYS_PER_SAMPLE;
         self.history = RayHistory::default();
         self.counters.rays.camera += 1;
-        let met = self.seen(ray, FROM_NOWHERE, first);
+        let met = self.seen(ray, Carrier::NOWHERE, first);
         let (color, alpha) = self.seen_by_camera(ray, met, self.max_depth, guide);
         TracedSample { color, alpha, history: self.history }
     }
@@ -123,7 +124,7 @@ impl<'a> Tracer<'a> {
     }
 
     #[inline(always)]
-    fn seen(&mut self, ray: &Ray, from: u32, sight: Sight) -> Option<Met> {
+    fn seen(&mut self, ray: &Ray, from: Carrier, sight: Sight) -> Option<Met> {
         match sight {
             Sight::Unknown => self.search.closest(ray, from),
             Sight::Among(list) => self.search.closest_of(ray, from, list),
@@ -194,8 +195,9 @@ impl<'a> Tracer<'a> {
         let mut mirror_share = here.material.reflection;
         let mut through = None;
         if here.material.transmission > 0.0 {
-            let index = here.material.index_of_refraction;
-            let ratio = if here.from_behind { index } else { 1.0 / index };
+            let search = &mut self.search;
+            let ratio =
+                refraction_ratio(self.scene, ray, here, |ray, passes| search.closest_that(ray, passes));
             match refracted(here.viewer, here.normal, ratio) {
                 Some(direction) => through = Some(Ray::new(here.point, direction)),
                 None => {
@@ -207,12 +209,12 @@ impl<'a> Tracer<'a> {
         if mirror_share > 0.0 && self.may_follow() {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
-            let met = self.seen(&ray, here.primitive, guide.mirrored());
+            let met = self.seen(&ray, here.carrier, guide.mirrored());
             color = color + self.color_of(&ray, met, left, Backdrop::Scene, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
-            let met = self.search.closest(&ray, here.primitive);
+            let met = self.search.closest(&ray, here.carrier);
             color = color
                 + self.color_of(&ray, met, left, Backdrop::Scene, Unguided) * here.material.transmission;
         }
@@ -237,9 +239,9 @@ impl<'a> Tracer<'a> {
         let hidden_by = if is_behind {
             Some(here.info.surface)
         } else if self.scene.has_dimmers && (lighting == Lighting::Unknown || self.asks_which()) {
-            self.share_of_light(light, here.point, here.primitive).map(|part| share = part).err()
+            self.share_of_light(light, here.point, here.carrier).map(|part| share = part).err()
         } else {
-            self.hiding_surface(&here.point, &towards, here.primitive, t_max, lighting)
+            self.hiding_surface(&here.point, &towards, here.carrier, t_max, lighting)
         };
         if let Some(surface) = hidden_by {
             let shown = if self.asks_which() { surface } else { NOTHING };
@@ -258,7 +260,7 @@ impl<'a> Tracer<'a> {
         &mut self,
         point: &Vec3,
         towards: &Vec3,
-        from: u32,
+        from: Carrier,
         t_max: f64,
         lighting: Lighting,
     ) -> Option<u32> {

@@ -7,8 +7,8 @@ use super::candidates::Candidates;
 use super::certificates::{Clear, cell_color, first_seen, lighting};
 use super::known_history::{KnownHistory, KnownLighting, KnownSight, Level, MOST_LEVELS};
 use crate::prepare::PreparedCamera;
-use crate::products::{Area, Certificate, CertificateCounts, NOTHING, PreparedScene};
-use crate::tracing::{FROM_NOWHERE, Patch, constant, start};
+use crate::products::{Area, Carrier, Certificate, CertificateCounts, NOTHING, PreparedScene};
+use crate::tracing::{Patch, constant};
 
 /// What became of a block.
 pub(super) enum Outcome {
@@ -43,7 +43,7 @@ impl<'a> Follower<'a> {
     /// Proves what can be proven of a block, given what is known already.
     pub(super) fn follow(&mut self, area: Area, history: &mut KnownHistory) -> Outcome {
         let mut block = RayBlock::new(self.camera.block(&area));
-        let mut from = FROM_NOWHERE;
+        let mut from = Carrier::NOWHERE;
         let mut left: Option<Clear> = None;
         let mut way = Way { colors: [None; MOST_LEVELS], is_bounded: true, failed: None };
         for (depth, level) in history.levels.iter_mut().enumerate() {
@@ -64,13 +64,19 @@ impl<'a> Follower<'a> {
             }
             way.colors[depth] = Some((color, patch.material.reflection));
             block = RayBlock::new(patch.mirror_ray(&block.ray));
-            from = primitive;
+            from = patch.carrier;
         }
         Outcome::Open(way.failed.unwrap_or(Certificate::Size))
     }
 
     /// What all rays meet.
-    fn met(&mut self, level: &mut Level, block: &RayBlock, from: u32, left: Option<&Clear>) -> Option<u32> {
+    fn met(
+        &mut self,
+        level: &mut Level,
+        block: &RayBlock,
+        from: Carrier,
+        left: Option<&Clear>,
+    ) -> Option<u32> {
         if let KnownSight::Met(primitive) = level.sight {
             return Some(primitive);
         }
@@ -81,8 +87,8 @@ impl<'a> Follower<'a> {
     }
 
     /// The points where all rays meet a primitive.
-    fn patch(&mut self, block: &RayBlock, primitive: u32, from: u32) -> Option<Patch<'a>> {
-        let t = block.distance(&self.scene.primitives[primitive as usize], start(primitive, from));
+    fn patch(&mut self, block: &RayBlock, primitive: u32, from: Carrier) -> Option<Patch<'a>> {
+        let t = block.distance(&self.scene.primitives[primitive as usize], self.scene.start(primitive, from));
         let patch = Patch::at(self.scene, &block.ray, primitive, t);
         let patch = patch.filter(|patch| patch.material.ends_view());
         self.counts.note(Certificate::Surface, patch.is_some());

@@ -63,11 +63,6 @@ impl Hits {
         }
     }
 
-    /// What each ray of these packets meets, as numbers.
-    pub(super) fn primitives(&self, packets: usize) -> &[Lanes] {
-        &self.primitive[..packets]
-    }
-
     /// Tries these primitives; of equally near ones that with the lower id counts, however they are sorted.
     #[inline(always)]
     fn meet(&mut self, scene: &PreparedScene, rays: &Bundle, list: &[u32]) {
@@ -75,7 +70,7 @@ impl Hits {
             let ray = rays.packet(packet);
             let (mut nearest, mut met) = (self.t[packet], self.primitive[packet]);
             for &id in list {
-                let hit: Hit<Lanes> = rays.starts.first_hit(packet, &ray, &scene.primitives[id as usize], id);
+                let hit: Hit<Lanes> = rays.starts.first_hit(packet, &ray, scene, id);
                 let id = Lanes::constant(f64::from(id));
                 let is_nearer = hit.t.lt(nearest) | (hit.t.equals(nearest) & id.lt(met));
                 let is_nearer = hit.found & is_nearer;
@@ -108,7 +103,7 @@ impl Hits {
             let mut open = !here.equals(NONE);
             while let Some(lane) = open.lanes().next() {
                 let id = here.0[lane];
-                let hit = rays.starts.first_hit(packet, &ray, &scene.primitives[id as usize], id as u32);
+                let hit = rays.starts.first_hit(packet, &ray, scene, id as u32);
                 let same = here.equals(Lanes::constant(id));
                 distance = Lanes::select(same, hit.t, distance);
                 open = open & !same;

@@ -62,7 +62,7 @@ impl Seen {
             }
             let ray = Ray::new(self.point[packet], self.towards(packet, light));
             for &id in list {
-                let hit = self.met.first_hit(packet, &ray, &scene.primitives[id as usize], id);
+                let hit = self.met.first_hit(packet, &ray, scene, id);
                 *lit = *lit & !(hit.found & hit.t.lt(t_max));
                 if !lit.any() {
                     break;

@@ -24,8 +24,8 @@ use self::shade::Seen;
 use self::starts::Starts;
 use super::MOST_RAYS_PER_SAMPLE;
 use super::guide::{Guide, Sight, Unguided};
-use super::search::FROM_NOWHERE;
 use super::tracer::Tracer;
+use crate::products::Carrier;
 use crate::settings::Backdrop;
 
 /// Most rays of a bundle.
@@ -72,7 +72,7 @@ impl Bundle {
     pub(crate) fn set(&mut self, count: usize, mut rays: impl FnMut(usize) -> LaneRays) {
         debug_assert!((1..=MOST_RAYS).contains(&count), "{count} rays");
         self.count = count;
-        self.starts.set_sole(FROM_NOWHERE);
+        self.starts.set_sole(Carrier::NOWHERE);
         (0..self.packets()).for_each(|i| self.rays[i] = rays(i));
     }
 

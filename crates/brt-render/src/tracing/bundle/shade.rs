@@ -53,7 +53,7 @@ impl Seen {
         primitive: u32,
         colors: &mut Colors,
     ) {
-        self.met.set_sole(primitive);
+        self.met.set_sole(scene.carrier(primitive));
         self.material = scene.infos[primitive as usize].material;
         self.count = rays.count;
         SimdLevel::default().run(
@@ -75,7 +75,6 @@ impl Seen {
         hits: &Hits,
         colors: &mut Colors,
     ) {
-        self.met.set_each(hits.primitives(rays.packets()));
         self.material = scene.infos[hits.primitive(0) as usize].material;
         self.count = rays.count;
         let material = self.material(scene);
@@ -84,6 +83,7 @@ impl Seen {
             let met = hits.met(i);
             let here = Interaction::at(scene, &rays.ray(i), met.primitive, met.t);
             let (packet, lane) = (i / LANES, i % LANES);
+            self.met.set_one(i, here.carrier);
             set_lane(&mut self.point[packet], lane, here.point);
             set_lane(&mut self.normal[packet], lane, here.normal);
             set_lane(&mut self.geometric_normal[packet], lane, here.geometric_normal);

@@ -1,42 +1,42 @@
 //! What the rays of a bundle leave: one primitive, or each a flat one of its own.
 
-use brt_geometry::{Hit, LANES, LaneMask, Lanes, Primitive, Ray, Real};
+use brt_geometry::{Hit, LANES, LaneMask, Lanes, Ray, Real, Start};
 
 use super::PACKETS;
-use crate::tracing::search::{FROM_NOWHERE, start};
+use crate::products::{Carrier, PreparedScene};
 
 /// What each ray of a bundle leaves.
 #[derive(Clone)]
 pub(super) struct Starts {
-    /// If all leave the same, what; [`FROM_NOWHERE`] where they leave nothing.
-    sole: Option<u32>,
-    /// What each leaves otherwise, as numbers: flat primitives only, which rays do not meet again.
+    /// If all leave the same, what; [`Carrier::NOWHERE`] where they leave nothing.
+    sole: Option<Carrier>,
+    /// What each leaves otherwise, as numbers: planes only, which rays do not meet again.
     each: [Lanes; PACKETS],
 }
 
 impl Default for Starts {
     fn default() -> Self {
-        Self { sole: Some(FROM_NOWHERE), each: [Lanes([0.0; LANES]); PACKETS] }
+        Self { sole: Some(Carrier::NOWHERE), each: [Lanes([0.0; LANES]); PACKETS] }
     }
 }
 
 impl Starts {
     /// All rays leave this.
-    pub(super) fn set_sole(&mut self, primitive: u32) {
-        self.sole = Some(primitive);
+    pub(super) fn set_sole(&mut self, carrier: Carrier) {
+        self.sole = Some(carrier);
     }
 
-    /// Each ray leaves a flat primitive of its own.
-    pub(super) fn set_each(&mut self, primitives: &[Lanes]) {
+    /// A ray leaves this plane, and each of the others one of its own.
+    pub(super) fn set_one(&mut self, i: usize, carrier: Carrier) {
         self.sole = None;
-        self.each[..primitives.len()].copy_from_slice(primitives);
+        self.each[i / LANES].0[i % LANES] = carrier.as_number();
     }
 
     /// Becomes those of other rays.
     pub(super) fn set(&mut self, other: &Self, packets: usize) {
-        match other.sole {
-            Some(primitive) => self.set_sole(primitive),
-            None => self.set_each(&other.each[..packets]),
+        self.sole = other.sole;
+        if self.sole.is_none() {
+            self.each[..packets].copy_from_slice(&other.each[..packets]);
         }
     }
 
@@ -57,8 +57,8 @@ impl Starts {
     }
 
     /// What a ray leaves.
-    pub(super) fn of(&self, i: usize) -> u32 {
-        self.sole.unwrap_or(self.each[i / LANES].0[i % LANES] as u32)
+    pub(super) fn of(&self, i: usize) -> Carrier {
+        self.sole.unwrap_or(Carrier::of_number(self.each[i / LANES].0[i % LANES]))
     }
 
     /// Where the rays of a packet meet a primitive.
@@ -67,14 +67,16 @@ impl Starts {
         &self,
         packet: usize,
         ray: &Ray<Lanes>,
-        primitive: &Primitive,
+        scene: &PreparedScene,
         id: u32,
     ) -> Hit<Lanes> {
+        let primitive = &scene.primitives[id as usize];
         match self.sole {
-            Some(from) => primitive.first_hit(ray, start(id, from)),
+            Some(from) => primitive.first_hit(ray, scene.start(id, from)),
             None => {
-                let hit = primitive.first_hit(ray, start(id, FROM_NOWHERE));
-                let leaves: LaneMask = self.each[packet].equals(Lanes::constant(f64::from(id)));
+                let hit = primitive.first_hit(ray, Start::Elsewhere);
+                let carrier = Lanes::constant(scene.carrier(id).as_number());
+                let leaves: LaneMask = self.each[packet].equals(carrier);
                 Hit { found: hit.found & !leaves, t: hit.t }
             }
         }

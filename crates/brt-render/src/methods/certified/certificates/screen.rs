@@ -60,7 +60,10 @@ pub(super) fn is_screened(
         for &id in ids {
             let primitive = &scene.primitives[id as usize];
             // What starts on a flat primitive does not meet it.
-            let Some((plane, corners)) = primitive.flat().filter(|_| id != patch.primitive) else { continue };
+            let Some((plane, corners)) = primitive.flat().filter(|_| scene.carrier(id) != patch.carrier)
+            else {
+                continue;
+            };
             if between.holds_face(plane, corners, turn, ways) {
                 edges.add(corners);
                 is_met |= before_light(&middle.first_hit(primitive, Start::Elsewhere), ways).all();

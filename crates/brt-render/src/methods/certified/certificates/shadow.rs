@@ -12,7 +12,7 @@ use super::{MOST_CLASSIFIED, hides_together};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
 use crate::products::PreparedLight;
-use crate::tracing::{LightWays, Patch, start};
+use crate::tracing::{LightWays, Patch};
 
 /// How the points of a patch see a light, given what is known of it, and of how ways leave the patch.
 pub(in crate::methods::certified) fn lighting(
@@ -36,7 +36,7 @@ pub(in crate::methods::certified) fn lighting(
     let Some(shaft) = shaft_of(candidates, patch, light, ways) else { return known };
     let may_hide = |id: u32| {
         let primitive = &scene.primitives[id as usize];
-        let is_itself = id == patch.primitive && primitive.is_flat();
+        let is_itself = scene.carrier(id) == patch.carrier && primitive.is_flat();
         scene.infos[id as usize].casts_shadow && !is_itself && !is_beside(primitive, &patch.point, light)
     };
     if !candidates.find(&shaft, inherited, MOST_LISTED, may_hide) {
@@ -55,7 +55,7 @@ pub(in crate::methods::certified) fn lighting(
     let mut is_hidden = false;
     candidates.found.retain(|&id| {
         let primitive = &scene.primitives[id as usize];
-        let before = before_light(&block.first_hit(primitive, start(id, patch.primitive)), ways);
+        let before = before_light(&block.first_hit(primitive, scene.start(id, patch.carrier)), ways);
         is_hidden |= before.all() && !scene.dims(id);
         before.all()
             || (before.any() && !leaving.as_ref().is_some_and(|leaving| leaving.never_meets(primitive)))

@@ -10,14 +10,13 @@ use super::MOST_CLASSIFIED;
 use super::clear::{Clear, Leaving};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownSight;
-use crate::products::NOTHING;
-use crate::tracing::start;
+use crate::products::{Carrier, NOTHING};
 
 /// What rays that leave `from` meet first, given what is known of it, and of how they left.
 pub(in crate::methods::certified) fn first_seen(
     candidates: &mut Candidates,
     block: &RayBlock,
-    from: u32,
+    from: Carrier,
     left: Option<&Clear>,
     known: KnownSight,
 ) -> KnownSight {
@@ -30,7 +29,7 @@ pub(in crate::methods::certified) fn first_seen(
     let Some(shaft) = candidates.shaft(&block.ray.origin, &block.ray.direction, f64::INFINITY) else {
         return known;
     };
-    let cannot_be_left = |id: u32| id == from && scene.primitives[id as usize].is_flat();
+    let cannot_be_left = |id: u32| scene.carrier(id) == from && scene.primitives[id as usize].is_flat();
     if !candidates.find(&shaft, inherited, MOST_LISTED, |id| !cannot_be_left(id)) {
         return known;
     }
@@ -40,7 +39,7 @@ pub(in crate::methods::certified) fn first_seen(
     let hits = candidates
         .found
         .iter()
-        .map(|&id| (id, block.first_hit(&scene.primitives[id as usize], start(id, from))));
+        .map(|&id| (id, block.first_hit(&scene.primitives[id as usize], scene.start(id, from))));
     let leaving = left.and_then(|clear| clear.leaving(&block.ray.direction));
     let is_met = |id: u32, hit: &Hit<Taylor>| {
         let never = |leaving: &Leaving| leaving.never_meets(&scene.primitives[id as usize]);
@@ -54,7 +53,8 @@ pub(in crate::methods::certified) fn first_seen(
     let certain = hits.iter().filter(|(_, hit)| hit.found.all());
     let front = certain.min_by(|a, b| greatest(&a.1).total_cmp(&greatest(&b.1))).copied();
     if let Some((front, nearest)) = front {
-        hits.retain(|(id, hit)| *id == front || hit.t.le(nearest.t).any());
+        let hides = |id: u32| id != front && scene.hides_coincident(front, id);
+        hits.retain(|(id, hit)| *id == front || (!hides(*id) && hit.t.le(nearest.t).any()));
         if hits.len() == 1 {
             return KnownSight::Met(front);
         }

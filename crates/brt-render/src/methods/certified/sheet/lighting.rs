@@ -6,14 +6,14 @@
 //! neighbours begin at that border, the point must be clear of it. (`q = p + s·L`, of height `s·rise` over A, is
 //! `s·nearer` less the point's clearance beyond the border: too near for its height.)
 
-use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Shaft, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Shaft, Start, Vec3};
 
 use super::facet::{BORDERS, Border, Facet, Facets, extremes, sum};
 use super::{LEAST_SINE, greatest_length};
 use crate::methods::certified::candidates::Candidates;
 use crate::methods::certified::certificates::{before_light, hides_together, is_beside, shaft_of};
 use crate::products::PreparedLight;
-use crate::tracing::{LightWays, Patch, start};
+use crate::tracing::{LightWays, Patch};
 
 /// More primitives than these are not looked at: smaller blocks have fewer.
 const MOST_IN_THE_WAY: usize = 96;
@@ -80,7 +80,8 @@ fn is_open(
             return true;
         }
         let may_be_met = || {
-            let hit = block.first_hit(primitive, start(id, patch.primitive));
+            // Not all points lie on one triangle, so it is none that all rays start on.
+            let hit = block.first_hit(primitive, Start::Elsewhere);
             before_light(&hit, ways).any()
         };
         facets.position(id).is_none() && !may_be_met()

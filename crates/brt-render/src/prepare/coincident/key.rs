@@ -1,0 +1,132 @@
+//! Numbers by which primitives that may share a carrier are found next to each other.
+
+use brt_geometry::{Aabb, Primitive, Vec3, vec3};
+
+/// Roundings of coordinates that two descriptions of one carrier may differ by: a plane through three corners, a rotated box.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
+/// Primitives whose carriers are known less well than this, as a share of the scene's size, are not compared with what lies
+/// farther away: slivers would be compared with everything.
+const WORST: f64 = 1e-8;
+
+/// A primitive's place among all others.
+pub(super) struct Key {
+    /// The same for all primitives on one carrier, but for an error.
+    pub(super) number: f64,
+    pub(super) error: f64,
+    /// How well its carrier is known: of coinciding primitives the largest says where the carrier is.
+    pub(super) size: f64,
+    pub(super) id: u32,
+}
+
+/// From where carriers are looked at, and along which direction their places are projected to a number. Neither has
+/// anything to do with the axes or the middle of a scene, so that different carriers rarely have the same number.
+struct View {
+    from: Vec3,
+    along: Vec3,
+}
+
+/// The keys of all primitives.
+pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb) -> Vec<Key> {
+    let size = bounds.longest_side().max(f64::MIN_POSITIVE);
+    let view = View {
+        from: bounds.center() + vec3(1.618_034, 2.236_068, -1.414_214) * size,
+        along: vec3(0.564_19, -0.318_31, 0.761_594),
+    };
+    let keys = (0_u32..).zip(primitives).map(|(id, primitive)| {
+        let (place, error, size) = view.place_of(primitive);
+        let error = error.min(WORST * (place - view.from).length());
+        let rounding = ROUNDINGS * (place.length() + view.from.length());
+        Key { number: place.dot(view.along), error: error + rounding, size, id }
+    });
+    keys.collect()
+}
+
+impl View {
+    /// A point that belongs to the carrier whichever way round it is described, how far it may be off by rounding, and the
+    /// size by which the carrier is known.
+    fn place_of(&self, primitive: &Primitive) -> (Vec3, f64, f64) {
+        match primitive {
+            Primitive::Sphere(ball) => (ball.center + vec3(0.3, 0.5, 0.7) * ball.radius, 0.0, ball.radius),
+            Primitive::Cylinder(side) => self.foot_on_axis(side.base, side.axis, side.high - side.low),
+            Primitive::Cone(side) => self.foot_on_axis(side.base, side.axis, side.high - side.low),
+            Primitive::Plane(plane) => (
+                self.from + plane.normal * (plane.distance - plane.normal.dot(self.from)),
+                0.0,
+                f64::INFINITY,
+            ),
+            Primitive::Triangle(face) => self.foot_on_plane(face.plane.normal, &face.corners),
+            Primitive::Polygon(face) => self.foot_on_plane(face.plane.normal, &face.corners),
+            Primitive::Disc(disc) => {
+                let (normal, size) = (disc.plane.normal, disc.radius);
+                let away = normal.dot(disc.center - self.from);
+                let tilt = ROUNDINGS * reach(&[disc.center]) / size;
+                (self.from + normal * away, tilt * away.abs(), size)
+            }
+        }
+    }
+
+    /// The point of a face's plane that is nearest to the view.
+    fn foot_on_plane(&self, normal: Vec3, corners: &[Vec3]) -> (Vec3, f64, f64) {
+        let away = normal.dot(corners[0] - self.from);
+        let spread = |p: &Vec3| (*p - corners[0]).length_squared();
+        let size = corners.iter().map(spread).fold(0.0, f64::max).sqrt();
+        let twice_area = (1..corners.len() - 1)
+            .map(|i| normal.dot((corners[i] - corners[0]).cross(corners[i + 1] - corners[0])))
+            .sum::<f64>();
+        // How far a corner is off the plane turns it about the face's width.
+        let tilt = ROUNDINGS * reach(corners) * size / twice_area.abs();
+        (self.from + normal * away, tilt * away.abs(), twice_area.abs() / size)
+    }
+
+    /// The point of an axis that is nearest to the view.
+    fn foot_on_axis(&self, base: Vec3, axis: Vec3, height: f64) -> (Vec3, f64, f64) {
+        let along = axis.dot(self.from - base);
+        let tilt = ROUNDINGS * reach(&[base]) / height;
+        (base + axis * along, tilt * along.abs() + tilt * (base - self.from).length(), height)
+    }
+}
+
+/// The greatest coordinate of points.
+pub(super) fn reach(points: &[Vec3]) -> f64 {
+    points.iter().map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs())).fold(0.0, f64::max)
+}
+
+/// Runs of sorted keys whose numbers may be the same but for their errors; alone is no run.
+pub(super) fn runs(keys: &mut [Key]) -> impl Iterator<Item = &mut [Key]> {
+    let mut rest = keys;
+    std::iter::from_fn(move || {
+        loop {
+            let all = std::mem::take(&mut rest);
+            if all.is_empty() {
+                return None;
+            }
+            let mut end = all[0].number + all[0].error;
+            let mut count = 1;
+            // What is not a number is near nothing.
+            while count < all.len() && all[count].number - all[count].error <= end {
+                end = end.max(all[count].number + all[count].error);
+                count += 1;
+            }
+            let (run, others) = all.split_at_mut(count);
+            rest = others;
+            if count > 1 {
+                return Some(run);
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_hold_what_may_be_the_same() {
+        let key = |id: u32, number: f64, error: f64| Key { number, error, size: 1.0, id };
+        let mut keys =
+            [key(0, 1.0, 0.1), key(1, 2.0, 0.3), key(2, 2.4, 0.2), key(3, 2.55, 0.0), key(4, 9.0, 0.1)];
+        let runs: Vec<Vec<u32>> = runs(&mut keys).map(|run| run.iter().map(|k| k.id).collect()).collect();
+        assert_eq!(runs, [[1, 2, 3]]);
+    }
+}
