@@ -318,3 +318,20 @@ impl Not for LaneMask {
         Self(from_fn(|i| !self.0[i]))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Levels fall back to lower ones, never to higher ones; without code for x86 all are the baseline.
+    #[test]
+    fn levels_use_no_wider_instructions_than_they_name() {
+        let [widest, avx2, baseline] = SimdLevel::ALL.map(SimdLevel::instructions);
+        assert_eq!(baseline, "baseline");
+        assert!(["AVX2", "baseline"].contains(&avx2));
+        assert!(widest == avx2 || widest == "AVX-512");
+        if cfg!(brt_hide_x86) {
+            assert_eq!([widest, avx2], ["baseline"; 2]);
+        }
+    }
+}

@@ -8,8 +8,8 @@ use brt_render::{
 };
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
-    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_with_layers, replay_hint,
-    seeded,
+    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_at_levels,
+    render_with_layers, replay_hint, seeded,
 };
 use proptest::prelude::*;
 
@@ -37,7 +37,7 @@ fn transparent(size: [u32; 2], method: Method) -> Settings {
 }
 
 fn rendered(scene: &Scene, settings: &Settings) -> Rendered {
-    render_with_layers(scene, settings, &Run::default())
+    render_at_levels(scene, settings, &Run::default())
 }
 
 /// Where two pictures differ in a bit of a colour or alpha.

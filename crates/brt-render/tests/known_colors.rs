@@ -6,13 +6,13 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_render::{BorderSettings, Layer, Method, Run, Settings};
 use brt_scene::{Camera, Light, Material, Projection, Scene, Shape};
-use brt_testkit::{all_shapes, looking, render_to_image, render_with_layers};
+use brt_testkit::{all_shapes, looking, render_at_every_level, render_with_layers};
 
 const METHODS: [Method; 2] = [Method::Reference, Method::Full];
 
 fn colors(scene: &Scene, settings: &Settings) -> Vec<[f32; 3]> {
     assert_eq!(scene.check(), []);
-    render_to_image(scene, settings, &Run::default()).0
+    render_at_every_level(scene, settings, &Run::default()).colors
 }
 
 /// Shines by itself in this colour and shows nothing else.

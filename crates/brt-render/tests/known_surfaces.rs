@@ -6,14 +6,15 @@ use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 use brt_render::{CertifiedSettings, Method, Run, Settings};
 use brt_scene::{Light, Material, Mesh, Object, Projection, Scene, Shape};
-use brt_testkit::{looking, render_to_image};
+use brt_testkit::{looking, render_at_every_level};
 
 /// The picture by full ray tracing, after the oracle and certified ray tracing without tolerance gave the same.
 fn colors(scene: &Scene, size: [u32; 2]) -> Vec<[f32; 3]> {
     assert_eq!(scene.check(), []);
     let exact = Method::Certified(CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() });
     let [full, reference, certified] = [Method::Full, Method::Reference, exact]
-        .map(|method| render_to_image(scene, &Settings { method, ..Settings::new(size) }, &Run::default()).0);
+        .map(|method| Settings { method, ..Settings::new(size) })
+        .map(|settings| render_at_every_level(scene, &settings, &Run::default()).colors);
     assert!(full == reference && full == certified);
     full
 }
