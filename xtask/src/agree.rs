@@ -30,8 +30,9 @@ fn count_differences(name: &str, size: u32) -> Result<u64> {
     let surfaces = layer(&rows, 0, |l| if let LayerRows::Surface(v) = l { Some(v) } else { None });
     let depths = layer(&rows, 1, |l| if let LayerRows::Depth(v) = l { Some(v) } else { None });
 
-    let camera = PreparedCamera::new(&scene.camera, &SampleGrid::new([size, size], Samples::One));
     let prepared = prepare(&scene, Accelerator::Bvh);
+    let grid = SampleGrid::new([size, size], Samples::One);
+    let camera = PreparedCamera::new(&scene.camera, prepared.origin(), &grid);
     let differs = |i: &u32| {
         let ray = camera.ray(f64::from(i % size), f64::from(i / size));
         let seen = prepared.first_seen(&ray);

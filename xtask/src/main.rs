@@ -7,9 +7,10 @@ mod certify;
 mod mutate;
 mod povray;
 mod scenes;
+mod tidy;
 mod triangles;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
@@ -69,6 +70,8 @@ enum Task {
         /// The file to write.
         output: PathBuf,
     },
+    /// Checks laws of the code that neither compiler nor clippy knows; `cargo test` does, too.
+    Tidy,
     /// Renders broken variants of scene files; none may crash, hang, or end with another code than 0 or 1.
     Mutate {
         /// Number of variants.
@@ -93,6 +96,7 @@ fn main() -> anyhow::Result<()> {
         Task::Triangles { triangles, size, scene, output } => {
             triangles::run(&scene, triangles, size, &output)
         }
+        Task::Tidy => tidy::run(Path::new(".")),
         Task::Mutate { count, brt, files } => mutate::run(count, &brt, &files),
     }
 }

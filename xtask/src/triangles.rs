@@ -5,6 +5,7 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
+use brt_geometry::Vec3;
 use brt_render::{PreparedCamera, SampleGrid, Samples};
 use brt_scene::{Light, Projection, Scene, Shape};
 
@@ -39,7 +40,8 @@ pub(crate) fn run(name: &str, size: Option<u32>, side: u32, path: &Path) -> Resu
 }
 
 fn rays(scene: &Scene, side: u32) -> [Point; 4] {
-    let camera = PreparedCamera::new(&scene.camera, &SampleGrid::new([side; 2], Samples::One));
+    let grid = SampleGrid::new([side; 2], Samples::One);
+    let camera = PreparedCamera::new(&scene.camera, Vec3::ZERO, &grid);
     let direction = |x: f64, y: f64| camera.ray(x, y).direction;
     let first = direction(0.0, 0.0);
     [scene.camera.eye, first, direction(1.0, 0.0) - first, direction(0.0, 1.0) - first]

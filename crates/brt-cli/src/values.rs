@@ -1,7 +1,7 @@
 //! Values on the command line.
 
 use brt::framing::{Up, View};
-use brt::{BitDepth, Format, PictureLayer, Rgb, Samples, Transfer, rgb};
+use brt::{BitDepth, Format, PictureLayer, Rgb, Samples, SimdLevel, Transfer, rgb};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// `WIDTHxHEIGHT` in pixels.
@@ -118,6 +118,17 @@ pub(crate) fn samples() -> impl TypedValueParser<Value = Samples> {
         let named = |s: &Samples| s.per_pixel().to_string() == text;
         Samples::ALL.into_iter().find(named).unwrap_or_default()
     })
+}
+
+/// Vector instructions by their name.
+pub(crate) fn simd_level() -> impl TypedValueParser<Value = SimdLevel> {
+    let summary = |level| match level {
+        SimdLevel::Widest => "The widest that the machine has",
+        SimdLevel::Avx2 => "AVX2, else the next lower ones",
+        SimdLevel::Baseline => "Those that every machine of its kind has",
+    };
+    let names = SimdLevel::ALL.map(|level| PossibleValue::new(level.name()).help(summary(level)));
+    PossibleValuesParser::new(names).try_map(|name| name.parse::<SimdLevel>())
 }
 
 /// Bits of a channel.

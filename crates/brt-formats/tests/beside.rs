@@ -165,7 +165,7 @@ fn rich() -> Scene {
     scene.materials[1].texture = scene.materials[0].texture.clone();
     let i = |i: u32| f64::from(i);
     let mesh = Mesh {
-        positions: (0..100).map(|p| vec3(i(p) / 3.0, (i(p) * 0.7).sin(), -0.0)).collect(),
+        positions: (0..100).map(|p| vec3(i(p) / 3.0, libm::sin(i(p) * 0.7), -0.0)).collect(),
         normals: (0..100).map(|p| vec3(0.1, i(p), 1e-9)).collect(),
         colors: (0..100).map(|p| rgb(-i(p) / 7.0, 1.0, 5e-324)).collect(),
         texcoords: (0..100).map(|p| [i(p) / 9.0, -1e6 / (1.0 + i(p))]).collect(),

@@ -56,7 +56,7 @@ fn a_mesh_of_100_000_triangles_is_written_and_read_fast() {
     let (mut scene, _) = good(Format::Toml, EVERYTHING);
     let point = |i: u32| {
         let (x, y) = (f64::from(i % SIDE) / 7.0, f64::from(i / SIDE) / 7.0);
-        vec3(x, y, (x * 1.7).sin() * (y * 1.3).cos())
+        vec3(x, y, libm::sin(x * 1.7) * libm::cos(y * 1.3))
     };
     let corner = (0..SIDE * SIDE).filter(|i| i % SIDE + 1 < SIDE && i / SIDE + 1 < SIDE);
     let mesh = Mesh {

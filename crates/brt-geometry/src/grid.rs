@@ -215,7 +215,7 @@ fn step(position: usize, forward: bool, count: usize) -> Option<usize> {
 /// Cells along each axis such that they are about cubes.
 fn cell_counts(size: Vec3, items: usize) -> [usize; 3] {
     let volume = size.x * size.y * size.z;
-    let side = (volume / (CELLS_PER_ITEM * items.max(1) as f64)).cbrt();
+    let side = libm::cbrt(volume / (CELLS_PER_ITEM * items.max(1) as f64));
     std::array::from_fn(|axis| (size[axis] / side).clamp(1.0, MOST_CELLS) as usize)
 }
 

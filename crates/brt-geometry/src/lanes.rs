@@ -4,9 +4,9 @@
 //! registers for them. So each lane computes exactly what scalar `f64` does, at every level.
 
 use std::array::from_fn;
+use std::fmt;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
-
-use fearless_simd::{Level, Simd};
+use std::str::FromStr;
 
 use crate::real::{Mask, Real};
 use crate::{Ray, vec3};
@@ -24,34 +24,116 @@ pub struct Lanes(pub [f64; LANES]);
 #[repr(align(64))]
 pub struct LaneMask([u64; LANES]);
 
-/// Vector instructions that the machine running has.
+/// Which vector instructions are used. The numbers are the same at every level.
+///
+/// A level that the machine lacks falls back to the next lower one. Only x86 has more than one level: elsewhere all of
+/// them are [`Self::Baseline`], for which the compiler takes whatever the target has (NEON on AArch64).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum SimdLevel {
-    /// The widest.
+    /// The widest that the machine has: AVX-512, AVX2, or the baseline.
     #[default]
     Widest,
-    /// AVX2 where there is AVX-512; the widest elsewhere.
+    /// AVX2, also where there is AVX-512.
     Avx2,
-    /// Those that every machine of its kind has.
+    /// Those that every machine of the target has.
     Baseline,
 }
 
 impl SimdLevel {
-    /// All of them: they give the same numbers.
+    /// All levels, from the widest to the narrowest.
     pub const ALL: [Self; 3] = [Self::Widest, Self::Avx2, Self::Baseline];
+
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Widest => "widest",
+            Self::Avx2 => "avx2",
+            Self::Baseline => "baseline",
+        }
+    }
+
+    /// What is used for it on this machine: "AVX-512", "AVX2" or "baseline".
+    pub fn instructions(self) -> &'static str {
+        dispatch::instructions(self)
+    }
 
     /// Runs a function with these instructions: it and all it calls must be marked `inline(always)` to use them.
     #[inline]
     pub fn run<T>(self, function: impl FnOnce() -> T) -> T {
-        if self == Self::Baseline {
+        dispatch::run(self, function)
+    }
+}
+
+impl fmt::Display for SimdLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for SimdLevel {
+    type Err = UnknownSimdLevel;
+
+    fn from_str(name: &str) -> Result<Self, UnknownSimdLevel> {
+        Self::ALL.into_iter().find(|level| level.name() == name).ok_or(UnknownSimdLevel)
+    }
+}
+
+/// A text that names no [`SimdLevel`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownSimdLevel;
+
+impl fmt::Display for UnknownSimdLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = SimdLevel::ALL.map(SimdLevel::name);
+        write!(f, "expected one of {}", names.join(", "))
+    }
+}
+
+impl std::error::Error for UnknownSimdLevel {}
+
+/// The only code that knows x86. `--cfg brt_hide_x86` hides it, so that an x86 machine builds and tests what any other
+/// architecture gets.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(brt_hide_x86)))]
+mod dispatch {
+    use fearless_simd::{Level, Simd};
+
+    use super::SimdLevel;
+
+    pub(super) fn instructions(level: SimdLevel) -> &'static str {
+        let machine = Level::new();
+        match level {
+            SimdLevel::Widest if machine.as_avx512().is_some() => "AVX-512",
+            SimdLevel::Widest | SimdLevel::Avx2 if machine.as_avx2().is_some() => "AVX2",
+            _ => "baseline",
+        }
+    }
+
+    #[inline]
+    pub(super) fn run<T>(level: SimdLevel, function: impl FnOnce() -> T) -> T {
+        if level == SimdLevel::Baseline {
             return function();
         }
-        let level = Level::new();
-        match (level.as_avx512(), level.as_avx2()) {
-            (Some(avx512), _) if self == Self::Widest => avx512.vectorize(function),
+        let machine = Level::new();
+        match (machine.as_avx512(), machine.as_avx2()) {
+            (Some(avx512), _) if level == SimdLevel::Widest => avx512.vectorize(function),
             (_, Some(avx2)) => avx2.vectorize(function),
             _ => function(),
         }
+    }
+}
+
+/// Every machine of the target has the same instructions, and the compiler uses them everywhere.
+#[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), not(brt_hide_x86))))]
+mod dispatch {
+    use super::SimdLevel;
+
+    pub(super) fn instructions(_: SimdLevel) -> &'static str {
+        "baseline"
+    }
+
+    #[inline(always)]
+    pub(super) fn run<T>(_: SimdLevel, function: impl FnOnce() -> T) -> T {
+        function()
     }
 }
 
@@ -234,5 +316,22 @@ impl Not for LaneMask {
     #[inline(always)]
     fn not(self) -> Self {
         Self(from_fn(|i| !self.0[i]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Levels fall back to lower ones, never to higher ones; without code for x86 all are the baseline.
+    #[test]
+    fn levels_use_no_wider_instructions_than_they_name() {
+        let [widest, avx2, baseline] = SimdLevel::ALL.map(SimdLevel::instructions);
+        assert_eq!(baseline, "baseline");
+        assert!(["AVX2", "baseline"].contains(&avx2));
+        assert!(widest == avx2 || widest == "AVX-512");
+        if cfg!(brt_hide_x86) {
+            assert_eq!([widest, avx2], ["baseline"; 2]);
+        }
     }
 }

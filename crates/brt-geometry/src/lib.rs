@@ -31,7 +31,7 @@ pub use bvh::{Bvh, Traversal};
 pub use extents::Extents;
 pub use grid::Grid;
 pub use index::SpatialIndex;
-pub use lanes::{LANES, LaneMask, Lanes, SimdLevel};
+pub use lanes::{LANES, LaneMask, Lanes, SimdLevel, UnknownSimdLevel};
 pub use polygon_plane::{PolygonPlane, area_share, polygon_plane};
 pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
 pub use ray::{Across, Hit, Ray, Start};

@@ -107,7 +107,7 @@ mod tests {
         let star: Vec<(f64, f64)> = (0..5)
             .map(|i| {
                 let angle = f64::from(i) * 2.0 * std::f64::consts::TAU / 5.0;
-                (angle.cos(), angle.sin())
+                (libm::cos(angle), libm::sin(angle))
             })
             .collect();
         assert!(!is_convex(&flat(&star), UP));

@@ -65,7 +65,7 @@ impl Vec3<f64> {
     pub fn cross_accurately(self, other: Self) -> Self {
         let difference = |a: f64, b: f64, c: f64, d: f64| {
             let cd = c * d;
-            a.mul_add(b, -cd) - c.mul_add(d, -cd)
+            libm::fma(a, b, -cd) - libm::fma(c, d, -cd)
         };
         vec3(
             difference(self.y, other.z, self.z, other.y),

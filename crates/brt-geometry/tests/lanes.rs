@@ -86,3 +86,13 @@ fn masks_tell_their_lanes() {
     assert_eq!((!three).lanes().collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
     assert_eq!((three & !three, three | !three), (LaneMask::FALSE, LaneMask::TRUE));
 }
+
+#[test]
+fn levels_are_read_as_they_are_written() {
+    for level in SimdLevel::ALL {
+        assert_eq!(level.to_string().parse(), Ok(level));
+    }
+    let unknown = "sse9".parse::<SimdLevel>().unwrap_err();
+    assert_eq!(unknown.to_string(), "expected one of widest, avx2, baseline");
+    assert_eq!(SimdLevel::default(), SimdLevel::Widest);
+}

@@ -51,7 +51,7 @@ fn fan_hits(random: &mut Random, eye: Vec3, hub: Vec3, round: impl Fn(Vec3) -> V
     let rim: Vec<Vec3> = (0..count)
         .map(|i| {
             let angle = std::f64::consts::TAU * (f64::from(i) + 0.3 * random.unit()) / f64::from(count);
-            round(hub + u * angle.cos() + v * angle.sin() + view * random.between(-0.5, 0.5))
+            round(hub + u * libm::cos(angle) + v * libm::sin(angle) + view * random.between(-0.5, 0.5))
         })
         .collect();
     let ray = Ray::new(eye, hub - eye);
@@ -101,7 +101,7 @@ fn the_triangles_of_a_concave_polygon_leave_no_gap_inside_it() {
         let radius = |i: u32| if i.is_multiple_of(2) { 1.0 } else { 0.5 };
         let corner = |i: u32| {
             let angle = std::f64::consts::TAU * f64::from(i) / f64::from(2 * points);
-            center + (u * angle.cos() + v * angle.sin()) * radius(i)
+            center + (u * libm::cos(angle) + v * libm::sin(angle)) * radius(i)
         };
         let outline: Vec<Vec3> = (0..2 * points).map(corner).collect();
         let triangles = triangulate(&outline, &[], normal);

@@ -1,4 +1,5 @@
 //! The page of `brt paper`: complete, and in agreement with its tables. Paper: P1–P20.
+#![expect(clippy::disallowed_methods, reason = "digits of measured numbers")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

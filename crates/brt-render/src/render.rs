@@ -121,9 +121,9 @@ pub(crate) fn render_tile(
 
     // From samples to pixels, and whatever else is to be seen.
     let (filter, samples) = (job.settings.filter, &worker.samples.color);
-    let colors = (filter.margin() > 0).then(|| reduce(filter, job.grid, tile, samples));
+    let colors = (filter.margin() > 0).then(|| reduce(worker.simd, filter, job.grid, tile, samples));
     if colors.is_none() {
-        reduce_into(job.grid, tile, samples, rows);
+        reduce_into(worker.simd, job.grid, tile, samples, rows);
     }
     let alpha = tile_alpha(job, worker, tile);
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
@@ -155,7 +155,7 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
 
 fn tile_alpha(job: &Job, worker: &TileWorker, tile: &Tile) -> Option<TileShares<1>> {
     let samples = worker.samples.alpha.as_ref()?;
-    Some(reduce_alpha(job.settings.filter, job.grid, tile, samples))
+    Some(reduce_alpha(worker.simd, job.settings.filter, job.grid, tile, samples))
 }
 
 fn make_layer(job: &Job, worker: &TileWorker, tile: &Tile, layer: Layer) -> LayerRows {
@@ -179,6 +179,6 @@ fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> Full
     }
     worker.tracer.take_counters();
     worker.tracer.counters = counted;
-    let colors = reduce(job.settings.filter, job.grid, tile, &worker.samples.color);
+    let colors = reduce(worker.simd, job.settings.filter, job.grid, tile, &worker.samples.color);
     FullTile { colors, alpha: tile_alpha(job, worker, tile) }
 }

@@ -2,6 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use brt_geometry::SimdLevel;
+
 /// How the work is done.
 #[derive(Clone, Copy, Default)]
 pub struct Run<'a> {
@@ -15,6 +17,8 @@ pub struct Run<'a> {
     pub order: TileOrder,
     /// How `full` follows rays.
     pub rays: RayOrder,
+    /// Vector instructions to use; where the machine lacks them, the next lower ones.
+    pub simd: SimdLevel,
 }
 
 /// How full ray tracing follows rays, unless ray histories are wanted as a layer, which need single ones.

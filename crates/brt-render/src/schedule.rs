@@ -172,7 +172,8 @@ impl<'a> Schedule<'a> {
         }
         let spare = self.idle.lock().ok().and_then(|mut idle| idle.pop());
         let (mut worker, mut painter) = spare.unwrap_or_else(|| {
-            (TileWorker::new(self.job, self.run.rays), Painter::new(self.job.scene, self.job.camera))
+            let painter = Painter::new(self.job.scene, self.job.camera, self.run.simd);
+            (TileWorker::new(self.job, self.run), painter)
         });
         let mine = outlines.map_or(&[][..], |o| o.tile(column));
         let picture = render_tile(self.job, &mut worker, &mut painter, tile, mine, rows);

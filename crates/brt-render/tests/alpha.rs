@@ -8,8 +8,8 @@ use brt_render::{
 };
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
-    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_with_layers, replay_hint,
-    seeded,
+    AnyScene, Rendered, all_shapes, any_scene, first_difference, looking, render_at_levels,
+    render_with_layers, replay_hint, seeded,
 };
 use proptest::prelude::*;
 
@@ -37,7 +37,7 @@ fn transparent(size: [u32; 2], method: Method) -> Settings {
 }
 
 fn rendered(scene: &Scene, settings: &Settings) -> Rendered {
-    render_with_layers(scene, settings, &Run::default())
+    render_at_levels(scene, settings, &Run::default())
 }
 
 /// Where two pictures differ in a bit of a colour or alpha.
@@ -146,7 +146,7 @@ fn alpha_is_0_1_or_a_fraction_where_it_must_be() {
         let picture = rendered(&scene, &transparent(size, method));
         let at = |x: f64| {
             // The view is 40° wide at a distance of 10 in the picture's smaller side.
-            let scale = 60.0 / (20.0 * 20_f64.to_radians().tan());
+            let scale = 60.0 / (20.0 * libm::tan(20_f64.to_radians()));
             let i = picture.index((90.0 + x * scale) as u32, 30);
             (picture.colors[i], picture.alpha[i])
         };

@@ -4,7 +4,7 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::Rgb;
 use brt_render::{Method, RayOrder, Run, Settings};
 use brt_scene::{Camera, Light, Material, Projection, Scene, Shape};
-use brt_testkit::{first_difference, render_with_layers, replay_hint};
+use brt_testkit::{first_difference, render_at_every_level, replay_hint};
 
 /// A scene of a glowing material, seen by this camera.
 fn glowing(camera: Camera, shapes: Vec<Shape>) -> Scene {
@@ -18,7 +18,7 @@ fn glowing(camera: Camera, shapes: Vec<Shape>) -> Scene {
 
 fn assert_bundles_are_single_rays(scene: &Scene) {
     let settings = Settings { method: Method::Full, ..Settings::new([64, 64]) };
-    let by = |rays| render_with_layers(scene, &settings, &Run { rays, ..Run::default() }).colors;
+    let by = |rays| render_at_every_level(scene, &settings, &Run { rays, ..Run::default() }).colors;
     if let Some(difference) = first_difference(settings.size, &by(RayOrder::Single), &by(RayOrder::Bundled)) {
         panic!("{}", replay_hint(scene, &settings, &difference));
     }
@@ -93,7 +93,7 @@ fn hidden_points_stay_black_beside_dimmers() {
     scene.add(Shape::Polygon { outline, holes: Vec::new() }, floor);
     assert_bundles_are_single_rays(&scene);
     let settings = Settings { method: Method::Full, ..Settings::new([64, 64]) };
-    let rays = |rays| render_with_layers(&scene, &settings, &Run { rays, ..Run::default() }).stats.rays;
+    let rays = |rays| render_at_every_level(&scene, &settings, &Run { rays, ..Run::default() }).stats.rays;
     assert_eq!(rays(RayOrder::Single), rays(RayOrder::Bundled));
 }
 

@@ -8,7 +8,7 @@ use brt_render::{
 use brt_scene::{Scene, procedural};
 use brt_testkit::{
     AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_slivers, any_scene_of_solids,
-    render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
+    render_at_levels, render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -40,7 +40,7 @@ fn checked(scene: &Scene, certified: CertifiedSettings, settings: &Settings) -> 
         checked: CheckedPixels::All,
         ..settings.clone()
     };
-    let picture = render_with_layers(scene, &settings, &Run::default());
+    let picture = render_at_levels(scene, &settings, &Run::default());
     let broken = |&i: &usize| !is_kept(&picture, certified, &settings, i);
     let Some(i) = (0..picture.colors.len()).find(broken) else { return Ok(picture) };
     let width = settings.size[0];

@@ -4,13 +4,13 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, Transfer, rgb};
 use brt_render::{Certificate, CertifiedSettings, CheckedPixels, Method, Run, Settings};
 use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape, procedural};
-use brt_testkit::{Rendered, looking, render_with_layers};
+use brt_testkit::{Rendered, looking, render_at_every_level};
 
 fn certified(scene: &Scene) -> Rendered {
     let settings = CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear };
     let method = Method::Certified(settings);
     let settings = Settings { method, checked: CheckedPixels::All, ..Settings::new([150, 150]) };
-    render_with_layers(scene, &settings, &Run::default())
+    render_at_every_level(scene, &settings, &Run::default())
 }
 
 /// How many samples differ from full ray tracing by more than a level.

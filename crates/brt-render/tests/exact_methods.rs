@@ -9,7 +9,7 @@ use brt_render::{
 use brt_scene::{Light, Material, Scene, Shape};
 use brt_testkit::{
     AnyScene, Rendered, all_shapes, any_scene, any_scene_of_slivers, first_difference, looking,
-    render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
+    render_at_levels, replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
 
@@ -25,7 +25,7 @@ const JUDGES: [Judge; 3] = [
 ];
 
 fn rendered(scene: &Scene, settings: &Settings) -> Rendered {
-    render_with_layers(scene, settings, &Run { threads: 1, ..Run::default() })
+    render_at_levels(scene, settings, &Run { threads: 1, ..Run::default() })
 }
 
 /// Where a method's colours or ray histories are not those of `full`.

@@ -8,7 +8,7 @@ use brt_geometry::{Disc, Plane, Primitive, Sphere, Start, Triangle, Vec3, vec3};
 use brt_image::Rgb;
 use brt_render::{Layer, PreparedCamera, Run, SampleGrid, Samples, Settings};
 use brt_scene::{Camera, Material, Mesh, Projection, Scene, Shape};
-use brt_testkit::{Random, first_difference, looking, render_with_layers};
+use brt_testkit::{Random, first_difference, looking, render_at_levels};
 
 /// A scene and the primitive of each object.
 struct Hand {
@@ -73,7 +73,7 @@ impl Hand {
         assert_eq!(self.scene.check(), [], "{what}");
         let layers = vec![Layer::Surface, Layer::Depth];
         let settings = Settings { layers, max_depth: Some(0), ..Settings::new(size) };
-        let picture = render_with_layers(&self.scene, &settings, &Run { threads: 1, ..Run::default() });
+        let picture = render_at_levels(&self.scene, &settings, &Run { threads: 1, ..Run::default() });
         let camera =
             PreparedCamera::new(&self.scene.camera, Vec3::ZERO, &SampleGrid::new(size, Samples::One));
         let all = (0..size[0] * size[1]).map(|i| self.first_hit(&camera, i % size[0], i / size[0]));

@@ -36,7 +36,7 @@ fn a_light_in_the_plane_of_a_wall_of_triangles_never_shadows_it() {
     let mut by_chance = 0;
     for step in 0..40 {
         let angle = 0.02 + 0.037 * f64::from(step);
-        let along = vec3(angle.cos(), 0.0, angle.sin());
+        let along = vec3(libm::cos(angle), 0.0, libm::sin(angle));
         let mut scene =
             Scene::new(looking([0.0, 0.0, 0.0], (along.cross(vec3(0.0, 1.0, 0.0)) * 3.0).into(), 60.0));
         let wall = scene.add_material(Material::matte("wall", rgb(1.0, 1.0, 1.0)));

@@ -4,6 +4,7 @@
 //! that strategies make have passed [`Scene::check`](brt_scene::Scene::check).
 
 mod golden;
+mod levels;
 mod moves;
 mod named;
 mod pictures;
@@ -12,6 +13,7 @@ mod stages;
 mod strategies;
 
 pub use golden::{Golden, GoldenError};
+pub use levels::{render_at_every_level, render_at_levels};
 pub use moves::{scaled, shifted};
 pub use named::{all_shapes, looking, seed_scene};
 pub use pictures::{

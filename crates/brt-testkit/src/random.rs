@@ -42,7 +42,7 @@ impl Random {
 
     /// A power of ten with an exponent in [lo, hi).
     pub fn magnitude(&mut self, lo: f64, hi: f64) -> f64 {
-        10.0_f64.powf(self.between(lo, hi))
+        libm::pow(10.0, self.between(lo, hi))
     }
 
     /// One of some values.

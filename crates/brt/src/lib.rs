@@ -66,7 +66,7 @@ pub use brt_formats::{
     FileBeside, Format, Given, Imported, Limits, LoadError, Loaded, Written, import, load, load_as, parse,
     write, write_beside, write_toml,
 };
-pub use brt_geometry::{Vec3, vec3};
+pub use brt_geometry::{SimdLevel, Vec3, vec3};
 pub use brt_image::{
     BitDepth, Channels, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer,
     rgb,

@@ -59,6 +59,15 @@ fn of_render() {
     );
 }
 
+/// Options for tests and measurements stand in the long help only.
+#[test]
+fn the_short_help_leaves_out_what_hardly_anybody_needs() {
+    let help = |option: &str| Bench::new().done(&format!("render {option}")).text().to_owned();
+    assert!(help("--help").contains("--simd <LEVEL>"));
+    let short = help("-h");
+    assert!(short.contains("--threads") && !short.contains("--simd"), "{short}");
+}
+
 #[test]
 fn of_the_others() {
     mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);

@@ -104,7 +104,7 @@ fn converted_scenes_have_files_beside_them() {
     let mut hill = HILL.to_owned();
     for i in 0..26 * 26 {
         let (a, b) = (f64::from(i % 26), f64::from(i / 26));
-        hill += &format!("v {a} {b} {}\nvt {} {}\n", (a * 0.3).sin(), a / 25.0, b / 25.0);
+        hill += &format!("v {a} {b} {}\nvt {} {}\n", libm::sin(a * 0.3), a / 25.0, b / 25.0);
     }
     for i in 0..25 * 25 {
         let p = i / 25 * 26 + i % 25 + 1;

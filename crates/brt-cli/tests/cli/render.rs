@@ -239,3 +239,18 @@ fn every_method_and_paper_option_renders() {
         bench.done(&format!("render ball.toml -s 40x30 {options}"));
     }
 }
+
+#[test]
+fn every_simd_level_gives_the_same_file() {
+    let bench = Bench::new();
+    for level in ["widest", "avx2", "baseline"] {
+        bench.done(&format!("render ball.toml {level}.png --simd {level} {QUICK}"));
+    }
+    let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
+    assert!(bytes("avx2.png") == bytes("widest.png") && bytes("baseline.png") == bytes("widest.png"));
+    let ended = bench.done(&format!("render ball.toml -v --simd baseline {QUICK}"));
+    assert!(ended.errors.contains("instructions: baseline"), "{}", ended.errors);
+    let ended = bench.run("render ball.toml --simd sse9");
+    assert_eq!(ended.code, Some(2));
+    assert!(ended.errors.contains("widest, avx2, baseline"), "{}", ended.errors);
+}

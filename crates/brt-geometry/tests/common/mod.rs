@@ -21,7 +21,7 @@ pub(crate) fn random_primitive(random: &mut Random, kind: u32) -> Primitive {
             let count = 3 + random.below(6);
             let corner = |i: u32| {
                 let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-                base + (u * angle.cos() + v * angle.sin()) * height
+                base + (u * libm::cos(angle) + v * libm::sin(angle)) * height
             };
             let corners = (0..count).map(corner).collect();
             Primitive::Polygon(Polygon { plane: Plane::through(base, axis), corners })

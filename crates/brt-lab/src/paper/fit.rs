@@ -1,4 +1,5 @@
 //! Power laws and interpolation.
+#![expect(clippy::disallowed_methods, reason = "measured times are fitted, not rendered")]
 
 /// The exponent k of y = c·xᵏ by least squares of the logarithms. `None` for fewer than two different x.
 pub(crate) fn exponent(points: &[(f64, f64)]) -> Option<f64> {

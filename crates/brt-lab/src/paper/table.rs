@@ -1,4 +1,5 @@
 //! Tables: what an experiment measured, as it stands in its CSV file. Charts are drawn from them.
+#![expect(clippy::disallowed_methods, reason = "digits of measured numbers")]
 
 use std::fmt::Write;
 

@@ -1,4 +1,5 @@
 //! Axes: which numbers stand where.
+#![expect(clippy::disallowed_methods, reason = "ticks of charts")]
 
 /// An axis before its range is known.
 #[derive(Clone, Debug)]

@@ -14,6 +14,7 @@ const AT_A_TIME: usize = 16 * CHANNELS;
 
 /// A colour that is linear over an area.
 pub(crate) struct LinearFill {
+    simd: SimdLevel,
     area: Area,
     pattern: SamplePattern,
     /// In the middle of the area.
@@ -28,7 +29,13 @@ pub(crate) struct LinearFill {
 }
 
 impl LinearFill {
-    pub(crate) fn new(area: Area, pattern: &SamplePattern, color: &Rgb<Taylor>, darkest: f32) -> Self {
+    pub(crate) fn new(
+        simd: SimdLevel,
+        area: Area,
+        pattern: &SamplePattern,
+        color: &Rgb<Taylor>,
+        darkest: f32,
+    ) -> Self {
         let step = |change: f64, half: f64| if half > 0.0 { change / half } else { 0.0 };
         let [half_x, half_y] = area.half_sides(pattern);
         let color = [color.r, color.g, color.b];
@@ -40,7 +47,7 @@ impl LinearFill {
             let (column, shift) = ((x - area.x0) as f32, pattern.shift(x) as f32);
             *sample = from_fn(|i| right[i] * column - down[i] * shift);
         }
-        Self { area, pattern: *pattern, color: color.map(|c| c.c), per_column, per_row, along, darkest }
+        Self { simd, area, pattern: *pattern, color: color.map(|c| c.c), per_column, per_row, along, darkest }
     }
 
     /// Fills samples of row `y` from column `x` on.
@@ -48,7 +55,7 @@ impl LinearFill {
         let start = self.start(y);
         let (numbers, darkest) = (samples.as_flattened_mut(), self.darkest);
         let along = &self.along[(x - self.area.x0) as usize * CHANNELS..][..numbers.len()];
-        SimdLevel::default().run(
+        self.simd.run(
             #[inline(always)]
             || {
                 let starts: [f32; AT_A_TIME] = from_fn(
@@ -59,11 +66,11 @@ impl LinearFill {
                 let (along_chunks, along_rest) = along.as_chunks::<AT_A_TIME>();
                 for (chunk, along) in chunks.iter_mut().zip(along_chunks) {
                     for i in 0..AT_A_TIME {
-                        chunk[i] = (starts[i] + along[i]).max(darkest);
+                        chunk[i] = brighter(starts[i] + along[i], darkest);
                     }
                 }
                 for ((number, along), start) in rest.iter_mut().zip(along_rest).zip(starts) {
-                    *number = (start + along).max(darkest);
+                    *number = brighter(start + along, darkest);
                 }
             },
         );
@@ -72,7 +79,7 @@ impl LinearFill {
     /// The colour of the sample in column `x` of the row that starts with `start`.
     pub(crate) fn color(&self, start: [f32; CHANNELS], x: u32) -> [f32; CHANNELS] {
         let along = &self.along[(x - self.area.x0) as usize * CHANNELS..];
-        from_fn(|i| (start[i] + along[i]).max(self.darkest))
+        from_fn(|i| brighter(start[i] + along[i], self.darkest))
     }
 
     /// What the first sample of row `y` would have, however dark, if it lay in the middle of the row.
@@ -81,4 +88,10 @@ impl LinearFill {
         let (right, down) = (f64::from(self.area.x0) + self.pattern.shift(y) - x, f64::from(y) - middle);
         from_fn(|i| (self.color[i] + self.per_column[i] * right + self.per_row[i] * down) as f32)
     }
+}
+
+/// Not `f32::max`: of 0 and −0 that may give either, as instructions have it.
+#[inline(always)]
+fn brighter(color: f32, darkest: f32) -> f32 {
+    if color > darkest { color } else { darkest }
 }

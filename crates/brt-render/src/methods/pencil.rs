@@ -94,7 +94,7 @@ fn only_primitive(worker: &TileWorker, tile: &Tile, area: Area) -> Option<u32> {
 }
 
 fn fill(worker: &mut TileWorker, tile: &Tile, area: Area, color: &Rgb<Taylor>) {
-    let fill = LinearFill::new(area, &worker.camera.pattern, color, f32::NEG_INFINITY);
+    let fill = LinearFill::new(worker.simd, area, &worker.camera.pattern, color, f32::NEG_INFINITY);
     for y in area.y0..area.y1 {
         let start = tile.index(area.x0 - tile.x, y - tile.y);
         let run = start..start + (area.x1 - area.x0) as usize;

@@ -8,7 +8,7 @@ use crate::products::{
     Block, Counters, NOTHING, PerspectiveImage, SampleState, StageClock, Tile, TileSamples,
 };
 use crate::render::Job;
-use crate::run::RayOrder;
+use crate::run::{RayOrder, Run};
 use crate::settings::Settings;
 use crate::tracing::{Bundle, Colors, Guide, MOST_RAYS, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
@@ -24,6 +24,7 @@ pub(crate) struct TileWorker<'a> {
     pub(crate) wants_causes: bool,
     /// How all samples are traced where no method chooses.
     pub(crate) rays: RayOrder,
+    pub(crate) simd: SimdLevel,
     bundle: Bundle,
     colors: Colors,
 }
@@ -47,17 +48,18 @@ impl<'a> TileWorker<'a> {
         }
     }
 
-    pub(crate) fn new(job: &Job<'a>, rays: RayOrder) -> Self {
+    pub(crate) fn new(job: &Job<'a>, run: &Run) -> Self {
         let Settings { history, layers, backdrop, .. } = job.settings;
         let wants_histories = layers.contains(&Layer::History);
         Self {
-            tracer: Tracer::new(job.scene, *history, job.max_depth, *backdrop),
+            tracer: Tracer::new(job.scene, *history, job.max_depth, *backdrop, run.simd),
             camera: job.camera,
             samples: TileSamples { alpha: backdrop.has_alpha().then(Vec::new), ..TileSamples::default() },
             perspective: PerspectiveImage::default(),
             wants_histories,
             wants_causes: layers.contains(&Layer::Certificates),
-            rays: if wants_histories { RayOrder::Single } else { rays },
+            rays: if wants_histories { RayOrder::Single } else { run.rays },
+            simd: run.simd,
             bundle: Bundle::default(),
             colors: NO_COLORS,
         }
@@ -118,9 +120,9 @@ impl<'a> TileWorker<'a> {
 
     /// Makes the rays of samples.
     fn aim(&mut self, tile: &Tile, samples: &[[u32; 2]]) {
-        let Self { camera, bundle, .. } = self;
+        let Self { camera, bundle, simd, .. } = self;
         let last = samples.len() - 1;
-        SimdLevel::default().run(
+        simd.run(
             #[inline(always)]
             || {
                 bundle.set(

@@ -16,6 +16,7 @@ pub(super) const SIDE: usize = brt_geometry::LANES;
 pub(super) struct DepthBuffer<'a> {
     scene: &'a PreparedScene,
     camera: &'a PreparedCamera,
+    simd: SimdLevel,
     area: Area,
     samples: [[Sample; SIDE]; SIDE],
     /// Inverse depths from forms may be off by this.
@@ -41,10 +42,11 @@ impl Sample {
 }
 
 impl<'a> DepthBuffer<'a> {
-    pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera) -> Self {
+    pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, simd: SimdLevel) -> Self {
         let area = Area { x0: 0, y0: 0, x1: 0, y1: 0 };
         let samples = [[Sample::EMPTY; SIDE]; SIDE];
-        Self { scene, camera, area, samples, margin: 0.0, crossing: Vec::new(), rays: [None; SIDE] }
+        let (crossing, rays) = (Vec::new(), [None; SIDE]);
+        Self { scene, camera, simd, area, samples, margin: 0.0, crossing, rays }
     }
 
     /// Draws all candidates of an area, in the order of ids; each with its forms if it has any.
@@ -93,7 +95,7 @@ impl<'a> DepthBuffer<'a> {
     fn draw_exactly(&mut self, part: Area, id: u32) {
         let primitive = &self.scene.primitives[id as usize];
         for y in part.y0..part.y1 {
-            let hit = SimdLevel::default().run(
+            let hit = self.simd.run(
                 #[inline(always)]
                 || primitive.first_hit(self.rays_of(y), Start::Elsewhere),
             );

@@ -2,7 +2,7 @@
 
 use std::cell::LazyCell;
 
-use brt_geometry::{RayBlock, Start};
+use brt_geometry::{RayBlock, SimdLevel, Start};
 
 use super::block_hit::BlockHit;
 use super::depth_buffer::{DepthBuffer, SIDE};
@@ -39,8 +39,8 @@ struct Candidate {
 }
 
 impl<'a> Painter<'a> {
-    pub(crate) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera) -> Self {
-        let buffer = DepthBuffer::new(scene, camera);
+    pub(crate) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, simd: SimdLevel) -> Self {
+        let buffer = DepthBuffer::new(scene, camera, simd);
         Self { scene, camera, forms: Vec::new(), candidates: Vec::new(), hits: Vec::new(), buffer }
     }
 

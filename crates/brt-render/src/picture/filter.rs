@@ -1,5 +1,7 @@
 //! Reconstruction filters: how samples become pixels.
 
+use brt_geometry::SimdLevel;
+
 use super::mean::means;
 use crate::products::{SampleGrid, Tile};
 
@@ -45,13 +47,14 @@ pub(crate) struct TileShares<const N: usize> {
 
 /// Applies the box filter to a tile, whose part of the picture's rows is given.
 pub(crate) fn reduce_into(
+    simd: SimdLevel,
     grid: &SampleGrid,
     tile: &Tile,
     samples: &[[f32; 3]],
     rows: &mut [&mut [[f32; 3]]],
 ) {
     if grid.per_side > 1 {
-        return means(grid, tile, samples, |row, pixels| rows[row].copy_from_slice(pixels));
+        return means(simd, grid, tile, samples, |row, pixels| rows[row].copy_from_slice(pixels));
     }
     for (row, samples) in rows.iter_mut().zip(samples.chunks_exact(tile.width as usize)) {
         row.copy_from_slice(samples);
@@ -60,6 +63,7 @@ pub(crate) fn reduce_into(
 
 /// Applies the filter to a tile.
 pub(crate) fn reduce<const N: usize>(
+    simd: SimdLevel,
     filter: Filter,
     grid: &SampleGrid,
     tile: &Tile,
@@ -71,7 +75,7 @@ pub(crate) fn reduce<const N: usize>(
     let (x, y) = (i64::from(tile.x / n) - i64::from(margin), i64::from(tile.y / n) - i64::from(margin));
     if filter == Filter::Box {
         let mut values = Vec::with_capacity((width * height) as usize);
-        means(grid, tile, samples, |_, pixels| values.extend_from_slice(pixels));
+        means(simd, grid, tile, samples, |_, pixels| values.extend_from_slice(pixels));
         return TileShares { x, y, width, values };
     }
     // Separable: first along rows of samples, then down the columns.
@@ -95,8 +99,14 @@ pub(crate) fn reduce<const N: usize>(
 }
 
 /// The same for alpha.
-pub(crate) fn reduce_alpha(filter: Filter, grid: &SampleGrid, tile: &Tile, samples: &[f32]) -> TileShares<1> {
-    reduce(filter, grid, tile, samples.as_chunks::<1>().0)
+pub(crate) fn reduce_alpha(
+    simd: SimdLevel,
+    filter: Filter,
+    grid: &SampleGrid,
+    tile: &Tile,
+    samples: &[f32],
+) -> TileShares<1> {
+    reduce(simd, filter, grid, tile, samples.as_chunks::<1>().0)
 }
 
 #[inline(always)]
@@ -160,7 +170,8 @@ mod tests {
         for band in 0..grid.bands() {
             for column in 0..grid.tiles_wide() {
                 let tile = Tile::at(&grid, column, band);
-                let part = reduce(filter, &grid, &tile, &vec![[1.0; 3]; tile.sample_count()]);
+                let part =
+                    reduce(SimdLevel::Widest, filter, &grid, &tile, &vec![[1.0; 3]; tile.sample_count()]);
                 for (i, c) in part.values.iter().enumerate() {
                     let (x, y) = (
                         part.x + i64::from(i as u32 % part.width),
@@ -191,6 +202,6 @@ mod tests {
         let tile = Tile::at(&grid, 0, 0);
         let samples = [[0.0; 3], [1.0; 3], [2.0; 3], [5.0; 3]];
         // (0 + 1 + 2 + 5) / 4
-        assert_eq!(reduce(Filter::Box, &grid, &tile, &samples).values, [[2.0; 3]]);
+        assert_eq!(reduce(SimdLevel::Widest, Filter::Box, &grid, &tile, &samples).values, [[2.0; 3]]);
     }
 }

@@ -6,6 +6,7 @@ use crate::products::{SampleGrid, Tile};
 
 /// Means of the samples of a tile's pixels, row by row: `keep` is given the row's number and its pixels.
 pub(super) fn means<const N: usize>(
+    simd: SimdLevel,
     grid: &SampleGrid,
     tile: &Tile,
     samples: &[[f32; N]],
@@ -15,7 +16,7 @@ pub(super) fn means<const N: usize>(
     let mut sums = vec![[0.0; N]; width];
     let mut pixels = vec![[0.0; N]; width / n];
     for (i, rows) in samples.chunks_exact(n * width).enumerate() {
-        SimdLevel::default().run(
+        simd.run(
             #[inline(always)]
             || add_up(rows, &mut sums, &mut pixels, n),
         );

@@ -1,6 +1,6 @@
 //! Tracing with all its products: colour, ray history and counts.
 
-use brt_geometry::{Ray, Vec3};
+use brt_geometry::{Ray, SimdLevel, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
@@ -29,6 +29,7 @@ pub(crate) struct Tracer<'a> {
     pub(super) search: Search<'a>,
     pub(super) history_kind: HistoryKind,
     pub(super) max_depth: u32,
+    pub(super) simd: SimdLevel,
     pub(super) lookup: Lookup,
     pub(super) rooms: Rooms,
     pub(super) history: RayHistory,
@@ -49,6 +50,7 @@ impl<'a> Tracer<'a> {
         history_kind: HistoryKind,
         max_depth: u32,
         backdrop: Backdrop,
+        simd: SimdLevel,
     ) -> Self {
         let search = Search::new(scene);
         let (history, counters) = (RayHistory::default(), Counters::default());
@@ -57,7 +59,8 @@ impl<'a> Tracer<'a> {
             search,
             history_kind,
             max_depth,
-            lookup: Lookup::default(),
+            simd,
+            lookup: Lookup::new(simd),
             rooms: Rooms::default(),
             history,
             rays_left: 0,

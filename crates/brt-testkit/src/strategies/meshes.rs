@@ -52,12 +52,12 @@ fn any_mesh() -> impl Strategy<Value = Mesh> {
 
 fn on_ball([u, v]: [f64; 2], (depth, across, along): (f64, f64, f64)) -> Vec3 {
     let (angle, tilt) = (std::f64::consts::TAU * u, std::f64::consts::PI * v);
-    let radius = 1.0 + depth * (across.round() * angle).sin() * (along * tilt).cos();
-    vec3(tilt.sin() * angle.cos(), tilt.cos(), tilt.sin() * angle.sin()) * radius
+    let radius = 1.0 + depth * libm::sin(across.round() * angle) * libm::cos(along * tilt);
+    vec3(libm::sin(tilt) * libm::cos(angle), libm::cos(tilt), libm::sin(tilt) * libm::sin(angle)) * radius
 }
 
 fn on_square([u, v]: [f64; 2], (depth, across, along): (f64, f64, f64)) -> Vec3 {
-    vec3(2.0 * u - 1.0, depth * (across * u).sin() * (along * v).cos(), 2.0 * v - 1.0)
+    vec3(2.0 * u - 1.0, depth * libm::sin(across * u) * libm::cos(along * v), 2.0 * v - 1.0)
 }
 
 /// Means of the faces' normals at each point, bent away by a share.

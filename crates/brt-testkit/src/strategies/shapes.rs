@@ -53,7 +53,7 @@ fn ring(center: Vec3, normal: Vec3, count: usize, radius: impl Fn(usize) -> f64)
     let (u, v) = normal.try_normalize().unwrap_or_default().tangents();
     let corner = |i: usize| {
         let angle = TAU * i as f64 / count as f64;
-        center + (u * angle.cos() + v * angle.sin()) * radius(i)
+        center + (u * libm::cos(angle) + v * libm::sin(angle)) * radius(i)
     };
     (0..count).map(corner).collect()
 }

@@ -50,7 +50,7 @@ fn tiny() -> impl Strategy<Value = f64> {
     prop_oneof![
         1 => Just(0.0),
         2 => (-12.0..-2.0, any::<bool>()).prop_map(|(e, back)| {
-            if back { -10_f64.powf(e) } else { 10_f64.powf(e) }
+            if back { -libm::pow(10.0, e) } else { libm::pow(10.0, e) }
         }),
     ]
 }
@@ -63,9 +63,9 @@ fn near_plane(half: f64) -> impl Strategy<Value = Vec3> {
 fn any_part() -> impl Strategy<Value = Shape> {
     let side = || 0.1..1.5;
     prop_oneof![
-        (side(), side(), -10.0..-3.0).prop_map(|(a, b, e)| thin_box(vec3(a, b, a * 10_f64.powf(e)))),
+        (side(), side(), -10.0..-3.0).prop_map(|(a, b, e)| thin_box(vec3(a, b, a * libm::pow(10.0, e)))),
         (side(), 1_u32..8, -9.0..-5.0, tiny())
-            .prop_map(|(a, count, e, bend)| { strip(a, count, a * 10_f64.powf(e), bend) }),
+            .prop_map(|(a, count, e, bend)| { strip(a, count, a * libm::pow(10.0, e), bend) }),
         (side(), side(), prop::array::uniform4(tiny())).prop_map(|(a, b, heights): (f64, f64, [f64; 4])| {
             let [p, q, r, s] = heights;
             let outline = [vec3(-a, -b, p), vec3(a, -b, q), vec3(a, b, r), vec3(-a, b, s)].to_vec();

@@ -23,7 +23,7 @@ fn any_solid() -> impl Strategy<Value = Vec<(Shape, u32)>> {
     (place, size, turn, taper, lean, 0_u32..3, 0_usize..12).prop_map(
         |((x, y, z), (wide, tall, deep), turn, taper, lean, material, missing)| {
             let [wide, tall, deep] = [wide, tall, deep].map(|side| side.abs() + 0.05);
-            let (sin, cos) = f64::sin_cos(turn);
+            let (sin, cos) = libm::sincos(turn);
             let at = |u: f64, up: f64, v: f64| {
                 let scale = 1.0 + up * (taper - 1.0);
                 let (u, v) = (u * wide * scale + up * lean, v * deep * scale);

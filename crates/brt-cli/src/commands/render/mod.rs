@@ -16,7 +16,7 @@ use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_
 use crate::commands::text_file::TextFile;
 use crate::exit::{Failure, Outcome};
 use crate::progress::Bar;
-use crate::{interrupt, output, scene_input};
+use crate::{output, scene_input};
 
 pub(crate) use options::Options;
 use stats_file::Seconds;
@@ -81,12 +81,8 @@ fn render(
     settings: &Settings,
 ) -> Result<Rendered, Failure> {
     let bar = (output::errors_are_seen() && !options.quiet).then(|| Bar::new(settings.size[1]));
-    let run = Run {
-        threads: options.thread_count(),
-        progress: bar.as_ref().map(|bar| bar as &dyn brt::Progress),
-        cancel: Some(interrupt::listen()),
-        ..Run::default()
-    };
+    let progress = bar.as_ref().map(|bar| bar as &dyn brt::Progress);
+    let run = Run { progress, ..options.run() };
     render_to_files(scene, settings, &run, &targets.picture).map_err(failure)
 }
 

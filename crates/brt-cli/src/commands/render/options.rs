@@ -4,11 +4,12 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-use brt::{BitDepth, CheckedPixels, Limits, PictureLayer, Samples};
+use brt::{BitDepth, CheckedPixels, Limits, PictureLayer, Run, Samples, SimdLevel};
 use clap::{ArgAction, Args, ValueEnum};
 
 use super::paper::PaperOptions;
 use crate::framing::ViewOptions;
+use crate::interrupt;
 use crate::scene_input::InputOptions;
 use crate::values;
 
@@ -31,6 +32,9 @@ pub(crate) struct Options {
     /// Number of threads [default: one for each processor]
     #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Vector instructions to use, where the machine has them; the picture is the same
+    #[arg(long, value_name = "LEVEL", value_parser = values::simd_level(), default_value_t, hide_short_help = true)]
+    pub(crate) simd: SimdLevel,
     /// Which pixels are traced
     #[arg(long, value_enum, default_value_t)]
     pub(crate) method: MethodName,
@@ -117,6 +121,12 @@ impl Options {
     /// Is an error, in levels of 255, greater than was asked for?
     pub(crate) fn is_over_limit(&self, error: f64) -> bool {
         self.max_error.is_some_and(|limit| error > limit)
+    }
+
+    /// How the work is done; it ends when the user interrupts it.
+    pub(crate) fn run(&self) -> Run<'static> {
+        let (threads, simd) = (self.thread_count(), self.simd);
+        Run { threads, simd, cancel: Some(interrupt::listen()), ..Run::default() }
     }
 
     /// How many threads render.

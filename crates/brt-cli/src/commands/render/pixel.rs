@@ -7,13 +7,13 @@ use std::fmt;
 
 use brt::image::{PixelRows, straight};
 use brt::{
-    Layer, LayerRows, RenderError, Rows, Run, SampleState, Scene, Settings, Sink, SinkError, Transfer,
-    prepare, render,
+    Layer, LayerRows, RenderError, Rows, SampleState, Scene, Settings, Sink, SinkError, Transfer, prepare,
+    render,
 };
 
 use super::options::Options;
 use crate::exit::{Failure, Outcome, wrong_use};
-use crate::{interrupt, output};
+use crate::output;
 
 /// Prints what is seen in a pixel.
 pub(super) fn show(
@@ -27,9 +27,8 @@ pub(super) fn show(
         return Err(wrong_use(format!("pixel {x},{y} is outside of the picture of {width}×{height}")));
     }
     settings.layers = Layer::ALL.to_vec();
-    let run = Run { threads: options.thread_count(), cancel: Some(interrupt::listen()), ..Run::default() };
     let mut sink = PixelSink { pixel: [x, y], found: None };
-    match render(scene, &settings, &run, &mut sink) {
+    match render(scene, &settings, &options.run(), &mut sink) {
         // The sink stops the rendering once it has what it wants.
         Ok(_) | Err(RenderError::Sink(_)) => {}
         Err(RenderError::Cancelled) => return Err(Failure::Interrupted),

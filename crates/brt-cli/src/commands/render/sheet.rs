@@ -2,13 +2,12 @@
 
 use brt::framing::View;
 use brt::image::{PixelRows, encoder};
-use brt::{Given, PictureSize, Rows, Run, Scene, Settings};
+use brt::{Given, PictureSize, Rows, Scene, Settings};
 
 use super::failure;
 use super::options::Options;
 use super::targets::Targets;
 use crate::exit::Failure;
-use crate::interrupt;
 
 /// In reading order: the whole, and the three sides that drawings show.
 const VIEWS: [[View; 2]; 2] = [[View::Iso, View::Front], [View::Right, View::Top]];
@@ -65,9 +64,8 @@ fn cell(
     settings: &Settings,
 ) -> Result<Cell, Failure> {
     options.view.look(scene, given, Some(view), settings.size);
-    let run = Run { threads: options.thread_count(), cancel: Some(interrupt::listen()), ..Run::default() };
     let mut rows: Vec<Rows> = Vec::new();
-    brt::render(scene, settings, &run, &mut rows).map_err(|error| failure(error.into()))?;
+    brt::render(scene, settings, &options.run(), &mut rows).map_err(|error| failure(error.into()))?;
     let mut cell = Cell { colors: Vec::new(), alpha: settings.backdrop.has_alpha().then(Vec::new) };
     for rows in rows {
         cell.colors.extend(rows.colors);

@@ -31,7 +31,7 @@ pub(super) fn show(
         }
     }
     if options.verbose {
-        output::note(&details(rendered));
+        output::note(&details(options, rendered));
     }
     if !options.quiet && (options.verbose || output::errors_are_seen()) {
         output::note(&last_line(targets, settings, rendered, total));
@@ -87,13 +87,14 @@ fn method(method: &Method) -> String {
 }
 
 /// Where the time went and how much was done.
-fn details(rendered: &Rendered) -> String {
+fn details(options: &Options, rendered: &Rendered) -> String {
     let brt::Stats { seconds, rays, primitive_tests, .. } = rendered.stats;
     format!(
-        "prepare {}, render {}, encode {}\nrays: {} camera, {} shadow, {} mirror, {} refracted; {} primitive tests",
+        "prepare {}, render {}, encode {}, instructions: {}\nrays: {} camera, {} shadow, {} mirror, {} refracted; {} primitive tests",
         duration(seconds.prepare),
         duration(seconds.render),
         duration(rendered.encode_seconds),
+        options.simd.instructions(),
         grouped(rays.camera),
         grouped(rays.shadow),
         grouped(rays.mirror),

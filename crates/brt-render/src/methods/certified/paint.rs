@@ -112,7 +112,8 @@ impl Certified<'_, '_> {
     pub(super) fn fill(&mut self, area: Area, parts: Parts, primitive: u32, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
         self.note_histories(area, parts, primitive);
-        let fill = LinearFill::new(area, &self.worker.camera.pattern, color, self.follower.scene.darkest);
+        let (simd, pattern) = (self.worker.simd, &self.worker.camera.pattern);
+        let fill = LinearFill::new(simd, area, pattern, color, self.follower.scene.darkest);
         self.for_each_area(area, parts, |this, part, is_whole| {
             let (x, y) = (part.x0 - this.tile.x, part.y0 - this.tile.y);
             let starts = (0..part.y1 - part.y0).map(|row| this.tile.index(x, y + row));

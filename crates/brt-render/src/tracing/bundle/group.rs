@@ -1,6 +1,6 @@
 //! Which rays of a bundle go on together?
 
-use brt_geometry::LANES;
+use brt_geometry::{LANES, SimdLevel};
 
 use super::hits::Hits;
 use super::ones;
@@ -22,9 +22,15 @@ pub(super) enum Group {
 }
 
 /// The first of the rays of these bits, and all others that go on with it.
-pub(super) fn group_of(scene: &PreparedScene, hits: &Hits, rest: u64, packets: usize) -> (u64, Group) {
+pub(super) fn group_of(
+    simd: SimdLevel,
+    scene: &PreparedScene,
+    hits: &Hits,
+    rest: u64,
+    packets: usize,
+) -> (u64, Group) {
     let primitive = hits.primitive(rest.trailing_zeros() as usize);
-    let same = rest & hits.that_meet(primitive, packets);
+    let same = rest & hits.that_meet(simd, primitive, packets);
     if primitive == NOTHING {
         return (same, Group::Nothing);
     }

@@ -41,9 +41,9 @@ impl Hits {
     }
 
     /// Which rays meet this, by bits.
-    pub(super) fn that_meet(&self, primitive: u32, packets: usize) -> u64 {
+    pub(super) fn that_meet(&self, simd: SimdLevel, primitive: u32, packets: usize) -> u64 {
         let wanted = Lanes::constant(f64::from(primitive));
-        SimdLevel::default().run(
+        simd.run(
             #[inline(always)]
             || {
                 let mut all = 0;
@@ -122,10 +122,10 @@ impl Tracer<'_> {
             Sight::Met(primitive) => self.find_among(hits, rays, &[primitive]),
             Sight::Among(list) => self.find_among(hits, rays, list),
             Sight::Unknown => {
-                let (scene, mut tests) = (self.scene, 0);
+                let (simd, scene, mut tests) = (self.simd, self.scene, 0);
                 let is_complete = self.lookup.sight(scene, rays, |list, shaft| {
                     tests += list.len();
-                    meet_and_end(hits, scene, rays, list, shaft)
+                    meet_and_end(simd, hits, scene, rays, list, shaft)
                 });
                 self.search.count_tests((tests * rays.count) as u64);
                 if !is_complete {
@@ -139,7 +139,7 @@ impl Tracer<'_> {
     /// The distances at which rays meet what they are known to meet.
     pub(super) fn find_known(&mut self, hits: &mut Hits, rays: &Bundle, known: &[u32]) {
         self.search.count_tests(rays.count as u64);
-        SimdLevel::default().run(
+        self.simd.run(
             #[inline(always)]
             || hits.meet_each(self.scene, rays, known),
         );
@@ -147,7 +147,7 @@ impl Tracer<'_> {
 
     fn find_among(&mut self, hits: &mut Hits, rays: &Bundle, list: &[u32]) {
         self.search.count_tests((list.len() * rays.count) as u64);
-        SimdLevel::default().run(
+        self.simd.run(
             #[inline(always)]
             || hits.meet(self.scene, rays, list),
         );
@@ -170,13 +170,14 @@ impl Tracer<'_> {
 
 /// Tries a list, and says how far away other things may still matter.
 fn meet_and_end(
+    simd: SimdLevel,
     hits: &mut Hits,
     scene: &PreparedScene,
     rays: &Bundle,
     list: &[u32],
     shaft: Option<&Shaft>,
 ) -> Next {
-    SimdLevel::default().run(
+    simd.run(
         #[inline(always)]
         || {
             hits.meet(scene, rays, list);

@@ -115,14 +115,15 @@ impl Tracer<'_> {
         if lighting == Lighting::Hidden {
             return;
         }
-        let mut lit = SimdLevel::default().run(
+        let simd = self.simd;
+        let mut lit = simd.run(
             #[inline(always)]
             || seen.faces(light),
         );
         if lit.iter().any(|lit| lit.any()) {
             let shares = self.hide(seen, light, lighting, &mut lit);
             let material = seen.material(self.scene);
-            SimdLevel::default().run(
+            simd.run(
                 #[inline(always)]
                 || seen.shine(material, light, &lit, shares.as_deref(), colors),
             );
@@ -141,11 +142,11 @@ impl Tracer<'_> {
             return None;
         }
         let faces = lit.iter().map(|lit| lit.count()).sum::<u64>();
-        let scene = self.scene;
+        let (simd, scene) = (self.simd, self.scene);
         if let Lighting::Among(list) = lighting {
             self.counters.rays.shadow += faces;
             self.search.count_tests(faces * list.len() as u64);
-            hide_in_lanes(scene, seen, light, list, lit);
+            hide_in_lanes(simd, scene, seen, light, list, lit);
             return None;
         }
         let (open, mut tests, mut meets_dimmer) = (*lit, 0, false);
@@ -155,7 +156,7 @@ impl Tracer<'_> {
                 return Next::Break(());
             }
             tests += list.len();
-            let is_over = !hide_in_lanes(scene, seen, light, list, lit);
+            let is_over = !hide_in_lanes(simd, scene, seen, light, list, lit);
             // What hides all may stand behind a dimmer that is still to come.
             if is_over && !scene.has_dimmers { Next::Break(()) } else { ANYWHERE }
         });
@@ -207,13 +208,14 @@ impl Tracer<'_> {
 }
 
 fn hide_in_lanes(
+    simd: SimdLevel,
     scene: &PreparedScene,
     seen: &Seen,
     light: &PreparedLight,
     list: &[u32],
     lit: &mut [LaneMask; PACKETS],
 ) -> bool {
-    SimdLevel::default().run(
+    simd.run(
         #[inline(always)]
         || seen.hide(scene, light, list, lit),
     )

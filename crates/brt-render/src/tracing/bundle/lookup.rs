@@ -31,13 +31,17 @@ pub(super) type Next = ControlFlow<(), f64>;
 pub(super) const ANYWHERE: Next = Next::Continue(f64::INFINITY);
 
 /// Working memory of lookups.
-#[derive(Default)]
 pub(in crate::tracing) struct Lookup {
+    simd: SimdLevel,
     list: Vec<u32>,
     walk: Traversal,
 }
 
 impl Lookup {
+    pub(in crate::tracing) fn new(simd: SimdLevel) -> Self {
+        Self { simd, list: Vec::new(), walk: Traversal::default() }
+    }
+
     /// Nodes visited since the last call.
     pub(in crate::tracing) fn take_nodes_visited(&mut self) -> u64 {
         std::mem::take(&mut self.walk.nodes_visited)
@@ -85,7 +89,7 @@ impl Lookup {
         counts: impl Fn(u32) -> bool,
         mut try_list: impl FnMut(&[u32], Option<&Shaft>) -> Next,
     ) -> bool {
-        let Self { list, walk } = self;
+        let Self { simd, list, walk } = self;
         list.clear();
         if scene.primitives.len() <= FEW {
             list.extend((0..scene.primitives.len() as u32).filter(|&id| counts(id)));
@@ -96,7 +100,11 @@ impl Lookup {
         if count < LEAST_RAYS {
             return false;
         }
-        let Some(shaft) = shaft_of(&scene.bounds, shaft) else { return false };
+        let shaft = simd.run(
+            #[inline(always)]
+            || shaft(&scene.bounds),
+        );
+        let Some(shaft) = shaft else { return false };
         // Single rays try all of these, wherever they are.
         list.extend(scene.outside.iter().filter(|&&id| counts(id)));
         let (mut spent, most) = (0, BOXES_PER_TRY * (MOST_TRIED + MOST_TRIED_PER_RAY * count));
@@ -126,12 +134,4 @@ impl Lookup {
         }
         true
     }
-}
-
-/// The shaft, computed in lanes.
-fn shaft_of(bounds: &Aabb, shaft: impl FnOnce(&Aabb) -> Option<Shaft>) -> Option<Shaft> {
-    SimdLevel::default().run(
-        #[inline(always)]
-        || shaft(bounds),
-    )
 }

@@ -14,7 +14,7 @@ mod shade;
 mod starts;
 mod ways;
 
-use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, SimdLevel, Vec3, vec3};
+use brt_geometry::{LANES, LaneRays, Lanes, Ray, Real, Vec3, vec3};
 use brt_image::{Rgb, rgb};
 
 use self::group::{Group, group_of};
@@ -200,7 +200,7 @@ impl Tracer<'_> {
         let all = u64::MAX >> (64 - way.rays.count);
         let mut rest = all;
         while rest != 0 {
-            let (here, met) = group_of(self.scene, hits, rest, way.rays.packets());
+            let (here, met) = group_of(self.simd, self.scene, hits, rest, way.rays.packets());
             rest &= !here;
             if met == Group::Nothing {
                 let background = self.behind_all(way.depth, here);
@@ -242,7 +242,10 @@ impl Tracer<'_> {
         let Way { rays, depth, guide } = *way;
         let mut seen = self.rooms.seen.pop().unwrap_or_default();
         match met {
-            Group::Primitive(primitive) => seen.look_at(self.scene, rays, hits, primitive, colors),
+            Group::Primitive(primitive) => self.simd.run(
+                #[inline(always)]
+                || seen.look_at(self.scene, rays, hits, primitive, colors),
+            ),
             _ => seen.look_at_each(self.scene, rays, hits, colors),
         }
         for (index, light) in self.scene.lights.iter().enumerate() {
@@ -251,11 +254,17 @@ impl Tracer<'_> {
         let reflection = seen.material(self.scene).reflection;
         if reflection > 0.0 && depth < self.max_depth {
             self.counters.rays.mirror += rays.count as u64;
-            seen.mirror(rays);
+            self.simd.run(
+                #[inline(always)]
+                || seen.mirror(rays),
+            );
             let Seen { mirrored, reflected, .. } = &mut *seen;
             let next = Way { rays: mirrored, depth: depth + 1, guide: guide.next() };
             self.follow(&next, guide.mirrored(), reflected);
-            add(colors, reflected, reflection, rays.packets());
+            self.simd.run(
+                #[inline(always)]
+                || add(colors, reflected, reflection, rays.packets()),
+            );
         }
         self.rooms.seen.push(seen);
     }
@@ -278,16 +287,12 @@ impl Tracer<'_> {
 }
 
 /// Adds a share of what is seen in a mirror.
+#[inline(always)]
 fn add(colors: &mut Colors, reflected: &Colors, share: f64, packets: usize) {
-    SimdLevel::default().run(
-        #[inline(always)]
-        || {
-            let share = Lanes::constant(share);
-            for (color, reflected) in colors.iter_mut().zip(reflected).take(packets) {
-                *color = *color + *reflected * share;
-            }
-        },
-    );
+    let share = Lanes::constant(share);
+    for (color, reflected) in colors.iter_mut().zip(reflected).take(packets) {
+        *color = *color + *reflected * share;
+    }
 }
 
 /// The colour of one ray.

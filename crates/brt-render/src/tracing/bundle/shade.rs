@@ -1,6 +1,6 @@
 //! How what a bundle meets looks: one primitive, or flat ones of one material.
 
-use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Primitive, Ray, Real, SimdLevel, Vec3};
+use brt_geometry::{LANES, LaneMask, LaneRays, Lanes, Primitive, Ray, Real, Vec3};
 use brt_image::Rgb;
 
 use super::hits::Hits;
@@ -45,6 +45,7 @@ impl Default for Seen {
 
 impl Seen {
     /// Looks at what rays meet; gives the colours without any light.
+    #[inline(always)]
     pub(super) fn look_at(
         &mut self,
         scene: &PreparedScene,
@@ -56,15 +57,10 @@ impl Seen {
         self.met.set_sole(scene.carrier(primitive));
         self.material = scene.infos[primitive as usize].material;
         self.count = rays.count;
-        SimdLevel::default().run(
-            #[inline(always)]
-            || {
-                let shape = &scene.primitives[primitive as usize];
-                for (packet, color) in colors.iter_mut().enumerate().take(rays.packets()) {
-                    *color = self.look(scene, shape, packet, &rays.packet(packet), hits.t[packet]);
-                }
-            },
-        );
+        let shape = &scene.primitives[primitive as usize];
+        for (packet, color) in colors.iter_mut().enumerate().take(rays.packets()) {
+            *color = self.look(scene, shape, packet, &rays.packet(packet), hits.t[packet]);
+        }
     }
 
     /// The same, where each ray meets a flat primitive of its own.
@@ -119,19 +115,15 @@ impl Seen {
     }
 
     /// Sends on the mirror rays.
+    #[inline(always)]
     pub(super) fn mirror(&mut self, rays: &Bundle) {
         let Self { mirrored: bundle, normal, point, met, .. } = self;
-        SimdLevel::default().run(
-            #[inline(always)]
-            || {
-                bundle.count = rays.count;
-                bundle.starts.set(met, rays.packets());
-                for packet in 0..rays.packets() {
-                    let direction = mirrored(rays.rays[packet].direction, normal[packet]);
-                    bundle.rays[packet] = LaneRays { origin: point[packet], direction };
-                }
-            },
-        );
+        bundle.count = rays.count;
+        bundle.starts.set(met, rays.packets());
+        for packet in 0..rays.packets() {
+            let direction = mirrored(rays.rays[packet].direction, normal[packet]);
+            bundle.rays[packet] = LaneRays { origin: point[packet], direction };
+        }
     }
 
     pub(super) fn packets(&self) -> usize {

@@ -54,7 +54,7 @@ impl Tolerance {
                 self.stored * (AT_BLACK + (AT_CUT - AT_BLACK) * least.max(0.0) / SRGB_CUT)
             }
             // 1 / slope of 1.055·x^(1/2.4)
-            Transfer::Srgb => self.stored * 2.4 / 1.055 * least.powf(1.4 / 2.4) * 0.97,
+            Transfer::Srgb => self.stored * 2.4 / 1.055 * libm::pow(least, 1.4 / 2.4) * 0.97,
         }
     }
 }

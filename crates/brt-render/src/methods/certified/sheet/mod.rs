@@ -161,7 +161,8 @@ impl Certified<'_, '_> {
     /// rounding may decide what they meet.
     fn fill_facets(&mut self, area: Area, facets: &Facets, only: Option<&Facet>, color: &Rgb<Taylor>) {
         self.lap(|seconds| &mut seconds.select);
-        let fill = LinearFill::new(area, &self.worker.camera.pattern, color, self.follower.scene.darkest);
+        let (simd, pattern) = (self.worker.simd, &self.worker.camera.pattern);
+        let fill = LinearFill::new(simd, area, pattern, color, self.follower.scene.darkest);
         let (camera, tile) = (self.worker.camera, self.tile);
         let mut facet = only.unwrap_or(&facets.all[0]);
         let mut filled = Vec::with_capacity(area.sample_count() as usize);

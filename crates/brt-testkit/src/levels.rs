@@ -1,0 +1,64 @@
+//! Pictures at every SIMD level: their bits are the same.
+
+use brt_geometry::SimdLevel;
+use brt_render::{Run, Seconds, Settings, Stats};
+use brt_scene::Scene;
+
+use crate::pictures::{Difference, Rendered, first_difference, render_with_layers, replay_hint};
+
+/// Pictures of no more samples are rendered at every level.
+const SMALL: u64 = 1024;
+
+/// Renders a picture with its layers: a small one at every SIMD level, others at one of them, which size, method and
+/// accelerator pick. So a suite of random scenes meets every level and compares them, and takes hardly longer.
+///
+/// # Panics
+/// If the levels differ, or [`render_with_layers`] panics.
+pub fn render_at_levels(scene: &Scene, settings: &Settings, run: &Run) -> Rendered {
+    let [width, height] = settings.size;
+    let samples = u64::from(width) * u64::from(height) * u64::from(settings.samples.per_pixel());
+    if samples <= SMALL {
+        return render_at_every_level(scene, settings, run);
+    }
+    let picks = (width + height) as usize + settings.method.name().len() + settings.accelerator as usize;
+    let simd = SimdLevel::ALL[picks % SimdLevel::ALL.len()];
+    render_with_layers(scene, settings, &Run { simd, ..*run })
+}
+
+/// Renders a picture with its layers at every SIMD level.
+///
+/// # Panics
+/// If the levels differ, or [`render_with_layers`] panics.
+pub fn render_at_every_level(scene: &Scene, settings: &Settings, run: &Run) -> Rendered {
+    let [first, others @ ..] = SimdLevel::ALL;
+    let expected = render_with_layers(scene, settings, &Run { simd: first, ..*run });
+    for simd in others {
+        let actual = render_with_layers(scene, settings, &Run { simd, ..*run });
+        if let Some(difference) = any_difference(&expected, &actual) {
+            panic!("{first} and {simd} differ: {}", replay_hint(scene, settings, &difference));
+        }
+    }
+    expected
+}
+
+/// Where two renderings of one picture differ in any of their bits or counts.
+fn any_difference(expected: &Rendered, actual: &Rendered) -> Option<Difference> {
+    let size = expected.size;
+    let counts = |picture: &Rendered| Stats { seconds: Seconds::default(), ..picture.stats };
+    first_difference(size, &expected.colors, &actual.colors)
+        .or_else(|| first_difference(size, &expected.alpha, &actual.alpha))
+        .or_else(|| first_difference(size, &expected.full, &actual.full))
+        .or_else(|| first_difference(size, &expected.full_alpha, &actual.full_alpha))
+        .or_else(|| first_difference(size, &expected.surface, &actual.surface))
+        .or_else(|| first_difference(size, &expected.depth, &actual.depth))
+        .or_else(|| first_difference(size, &expected.normal, &actual.normal))
+        .or_else(|| first_difference(size, &expected.history, &actual.history))
+        .or_else(|| first_difference(size, &expected.state, &actual.state))
+        .or_else(|| {
+            let (expected, actual) = (counts(expected), counts(actual));
+            (expected != actual).then(|| {
+                let [expected, actual] = [expected, actual].map(|counts| format!("{counts:?}"));
+                Difference { pixel: [0, 0], expected, actual, count: 0 }
+            })
+        })
+}
