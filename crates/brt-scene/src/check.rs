@@ -201,6 +201,7 @@ fn check_shape(shape: &Shape, found: Found) {
                     found(field, fault(format!("the radius is {r}"), "a finite number of at least 0"));
                 }
             }
+            check_steepness((*top - *base).length(), [*base_radius, *top_radius], found);
             if *base_radius == 0.0 && *top_radius == 0.0 {
                 found("base_radius", fault("both radii are 0", "one radius above 0"));
             }
@@ -214,6 +215,20 @@ fn check_axis(base: Vec3, top: Vec3, found: Found) {
     check_point("top", top, found);
     if (top - base).try_normalize().is_none() {
         found("top", fault("base and top are the same point", "an axis of some length"));
+    } else if let Some(f) = too_small([base, top].into_iter()) {
+        found("top", f);
+    }
+}
+
+/// A cone's radius may change by this many times its height: where rays meet its side rounds by as many times their own
+/// rounding.
+const STEEPEST_CONE: f64 = 1e6;
+
+fn check_steepness(height: f64, radii: [f64; 2], found: Found) {
+    let change = (radii[1] - radii[0]).abs();
+    if change > STEEPEST_CONE * height {
+        let message = format!("the radius changes by {change:e} over a height of {height:e}");
+        found("top", fault(message, "a cone at least a millionth as high as wide, or a disc"));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Circular cones and frusta without their caps, which are discs.
 
 use super::disc::circle_extent;
-use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
+use crate::{Aabb, Hit, LEAST_SINE, Mask, Ray, Real, Start, Vec3};
 
 /// The curved side of a cone or frustum.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,13 +38,16 @@ impl Cone {
         let across = ray.direction - axis * climb;
         let from_axis = from_base - axis * height;
         let (radius, widening) = (R::constant(self.base_radius) + slope * height, slope * climb);
-        let a = across.length_squared() - widening * widening;
+        let (spread, steepness) = (across.length_squared(), widening * widening);
+        let a = spread - steepness;
+        // Rays along the axis of what is nearly a cylinder miss, as they miss a cylinder.
+        let crosses = (spread + steepness).gt(R::constant(LEAST_SINE * LEAST_SINE) * ray.dd);
         let b = from_axis.dot(across) - radius * widening;
         let zero = R::constant(0.0);
         // Between its ends the radius is not negative, so the other nappe never counts.
         let on_side = |t: R| {
             let h = height + climb * t;
-            Hit::at(skipped + t, h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
+            Hit::at(skipped + t, crosses & h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);

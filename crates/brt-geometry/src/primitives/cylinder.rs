@@ -1,7 +1,7 @@
 //! Circular cylinders without their caps, which are discs.
 
 use super::disc::circle_extent;
-use crate::{Aabb, Hit, Mask, Ray, Real, Start, Vec3};
+use crate::{Aabb, Hit, LEAST_SINE, Mask, Ray, Real, Start, Vec3};
 
 /// The curved side of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,9 +30,11 @@ impl Cylinder {
         let a = across.length_squared();
         let b = from_axis.dot(across);
         let zero = R::constant(0.0);
+        // Rays along the axis miss: of where they come to the side only rounding would tell.
+        let crosses = a.gt(R::constant(LEAST_SINE * LEAST_SINE) * ray.dd);
         let on_side = |t: R| {
             let h = height + climb * t;
-            Hit::at(t, h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
+            Hit::at(t, crosses & h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
             return on_side(R::constant(-2.0) * b / a);

@@ -82,7 +82,29 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
             return Hit::none();
         }
     }
-    Hit { found: hit.found & (left | right), t: hit.t }
+    Hit { found: hit.found & (left | right) & is_seen(corners, ray), t: hit.t }
+}
+
+/// Roundings of the products in a sum of sides, generously.
+const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
+
+/// Is the area of a polygon, as seen along a ray that passes inside, more than rounding?
+///
+/// Of a polygon smaller than what coordinates round by where the ray starts, corners are seen at one place. On which side of an
+/// edge the ray passes is then 0 for all edges, wherever it passes: such a polygon would be met all over its plane.
+#[inline(always)]
+fn is_seen<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> R::Mask {
+    let seen = ray.view_along();
+    let (mut area, mut size) = (R::constant(0.0), R::constant(0.0));
+    let mut a = seen(corners[corners.len() - 1]);
+    for corner in corners {
+        let b = seen(*corner);
+        let (forward, backward) = (a[0] * b[1], a[1] * b[0]);
+        area = area + (forward - backward);
+        size = size + forward.max(-forward) + backward.max(-backward);
+        a = b;
+    }
+    area.max(-area).gt(R::constant(ROUNDINGS) * size)
 }
 
 /// On which side of each edge a ray passes: a flat primitive is met where no two of these differ in sign.
