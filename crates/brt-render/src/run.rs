@@ -47,9 +47,24 @@ pub trait Progress: Sync {
     fn advance(&self, rows: u32);
 }
 
-impl Run<'_> {
+/// Asked in every loop that may take long: has the caller set his flag? What a cancelled loop leaves is never shown.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cancel<'a>(Option<&'a AtomicBool>);
+
+impl Cancel<'_> {
+    #[inline(always)]
+    pub(crate) fn is_set(self) -> bool {
+        self.0.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+}
+
+impl<'a> Run<'a> {
+    pub(crate) fn cancel(&self) -> Cancel<'a> {
+        Cancel(self.cancel)
+    }
+
     pub(crate) fn is_cancelled(&self) -> bool {
-        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+        self.cancel().is_set()
     }
 }
 

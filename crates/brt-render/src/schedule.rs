@@ -172,7 +172,7 @@ impl<'a> Schedule<'a> {
         }
         let spare = self.idle.lock().ok().and_then(|mut idle| idle.pop());
         let (mut worker, mut painter) = spare.unwrap_or_else(|| {
-            let painter = Painter::new(self.job.scene, self.job.camera, self.run.simd);
+            let painter = Painter::new(self.job.scene, self.job.camera, self.run);
             (TileWorker::new(self.job, self.run), painter)
         });
         let mine = outlines.map_or(&[][..], |o| o.tile(column));
@@ -181,7 +181,8 @@ impl<'a> Schedule<'a> {
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((worker, painter));
         }
-        Some((picture, counted))
+        // A tile that was broken off is not to be seen.
+        (!self.run.is_cancelled()).then_some((picture, counted))
     }
 }
 

@@ -73,16 +73,24 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
         return hit;
     }
     let zero = R::constant(0.0);
-    let mut left = R::Mask::TRUE;
-    let mut right = R::Mask::TRUE;
+    let (mut least, mut greatest) = (R::constant(f64::INFINITY), R::constant(f64::NEG_INFINITY));
+    let mut sum = zero;
+    let mut inside = R::Mask::TRUE;
     for side in sides(corners, ray) {
-        left = left & side.ge(zero);
-        right = right & side.le(zero);
-        if !(left | right).any() {
+        (least, greatest, sum) = (least.min(side), greatest.max(side), sum + side);
+        inside = least.ge(zero) | greatest.le(zero);
+        if !inside.any() {
             return Hit::none();
         }
     }
-    Hit { found: hit.found & (left | right) & is_seen(corners, ray), t: hit.t }
+    let found = hit.found & inside;
+    // Where all sides but two are 0, or nothing to the others, all may be rounding.
+    let rest = sum - (least + greatest);
+    let is_clear = rest.gt(zero) | rest.lt(zero);
+    if !(found & !is_clear).any() {
+        return Hit { found, t: hit.t };
+    }
+    Hit { found: found & (is_clear | is_seen(corners, ray)), t: hit.t }
 }
 
 /// Roundings of the products in a sum of sides, generously.

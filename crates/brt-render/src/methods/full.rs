@@ -52,6 +52,9 @@ pub(crate) fn trace_row(worker: &mut TileWorker, tile: &Tile, y: u32) {
 pub(crate) fn render_reference(worker: &mut TileWorker, tile: &Tile, scene: &PreparedScene, max_depth: u32) {
     for y in 0..tile.height {
         for x in 0..tile.width {
+            if worker.cancel.is_set() {
+                return;
+            }
             let ray = worker.camera.sample_ray([tile.x + x, tile.y + y]);
             let index = tile.index(x, y);
             let background = worker.tracer.color_of_nothing();

@@ -8,7 +8,7 @@ use crate::products::{
     Block, Counters, NOTHING, PerspectiveImage, SampleState, StageClock, Tile, TileSamples,
 };
 use crate::render::Job;
-use crate::run::{RayOrder, Run};
+use crate::run::{Cancel, RayOrder, Run};
 use crate::settings::Settings;
 use crate::tracing::{Bundle, Colors, Guide, MOST_RAYS, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
@@ -25,6 +25,7 @@ pub(crate) struct TileWorker<'a> {
     /// How all samples are traced where no method chooses.
     pub(crate) rays: RayOrder,
     pub(crate) simd: SimdLevel,
+    pub(crate) cancel: Cancel<'a>,
     bundle: Bundle,
     colors: Colors,
 }
@@ -48,7 +49,7 @@ impl<'a> TileWorker<'a> {
         }
     }
 
-    pub(crate) fn new(job: &Job<'a>, run: &Run) -> Self {
+    pub(crate) fn new(job: &Job<'a>, run: &Run<'a>) -> Self {
         let Settings { history, layers, backdrop, .. } = job.settings;
         let wants_histories = layers.contains(&Layer::History);
         Self {
@@ -60,6 +61,7 @@ impl<'a> TileWorker<'a> {
             wants_causes: layers.contains(&Layer::Certificates),
             rays: if wants_histories { RayOrder::Single } else { run.rays },
             simd: run.simd,
+            cancel: run.cancel(),
             bundle: Bundle::default(),
             colors: NO_COLORS,
         }
@@ -75,7 +77,7 @@ impl<'a> TileWorker<'a> {
     #[inline]
     pub(super) fn trace_guided(&mut self, tile: &Tile, x: u32, y: u32, first: First, guide: impl Guide) {
         let index = tile.index(x, y);
-        if self.samples.state[index] == SampleState::Traced {
+        if self.samples.state[index] == SampleState::Traced || self.cancel.is_set() {
             return;
         }
         let first = match first {
@@ -102,6 +104,9 @@ impl<'a> TileWorker<'a> {
         guide: impl Guide,
         state: SampleState,
     ) {
+        if self.cancel.is_set() {
+            return;
+        }
         self.aim(tile, samples);
         self.tracer.trace_bundle(&self.bundle, first, guide, &mut self.colors);
         self.keep_colors(tile, samples, state);
@@ -109,6 +114,9 @@ impl<'a> TileWorker<'a> {
 
     /// The same for samples whose first hits the perspective image shows.
     pub(super) fn trace_shown_samples(&mut self, tile: &Tile, samples: &[[u32; 2]]) {
+        if self.cancel.is_set() {
+            return;
+        }
         self.aim(tile, samples);
         let mut shown = [NOTHING; MOST_RAYS];
         for (shown, &[x, y]) in shown.iter_mut().zip(samples) {

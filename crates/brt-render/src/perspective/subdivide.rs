@@ -2,7 +2,7 @@
 
 use std::cell::LazyCell;
 
-use brt_geometry::{RayBlock, SimdLevel, Start};
+use brt_geometry::{RayBlock, Start};
 
 use super::block_hit::BlockHit;
 use super::depth_buffer::{DepthBuffer, SIDE};
@@ -10,6 +10,7 @@ use super::forms::Forms;
 use super::outlines::Outline;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, MIXED, NOTHING, PerspectiveImage, PreparedScene, Tile};
+use crate::run::{Cancel, Run};
 
 /// Primitives whose outlines have fewer samples in a tile are tested ray by ray: forms would not pay.
 const LEAST_SAMPLES_FOR_FORMS: u32 = 64;
@@ -28,6 +29,7 @@ pub(crate) struct Painter<'a> {
     /// Hits of the candidates of one block; `None` where they were not looked for.
     hits: Vec<Option<BlockHit>>,
     buffer: DepthBuffer<'a>,
+    cancel: Cancel<'a>,
 }
 
 /// A primitive that may be seen in a block.
@@ -39,9 +41,17 @@ struct Candidate {
 }
 
 impl<'a> Painter<'a> {
-    pub(crate) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, simd: SimdLevel) -> Self {
-        let buffer = DepthBuffer::new(scene, camera, simd);
-        Self { scene, camera, forms: Vec::new(), candidates: Vec::new(), hits: Vec::new(), buffer }
+    pub(crate) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, run: &Run<'a>) -> Self {
+        let buffer = DepthBuffer::new(scene, camera, run.simd);
+        Self {
+            scene,
+            camera,
+            forms: Vec::new(),
+            candidates: Vec::new(),
+            hits: Vec::new(),
+            buffer,
+            cancel: run.cancel(),
+        }
     }
 
     /// Paints a tile, given the outlines that reach into it in the order of primitives.
@@ -59,6 +69,9 @@ impl<'a> Painter<'a> {
         let mut canvas = Canvas { tile, image, scene: self.scene };
         let mut nearest = vec![(f64::INFINITY, NOTHING); tile.width as usize];
         for y in tile.y..tile.y + tile.height {
+            if self.cancel.is_set() {
+                return;
+            }
             let row = Area { x0: tile.x, y0: y, x1: tile.x + tile.width, y1: y + 1 };
             nearest.fill((f64::INFINITY, NOTHING));
             for outline in outlines {
@@ -108,6 +121,9 @@ impl<'a> Painter<'a> {
 
     /// Paints an area, its candidates being those from `first` on. Takes them off the list.
     fn paint_area(&mut self, area: Area, first: usize, canvas: &mut Canvas) {
+        if self.cancel.is_set() {
+            return;
+        }
         self.keep_what_may_be_seen(area, first, canvas.tile);
         let left = &self.candidates[first..];
         if left.is_empty() {

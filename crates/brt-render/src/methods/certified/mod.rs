@@ -139,6 +139,9 @@ impl Certified<'_, '_> {
     }
 
     fn settle(&mut self, area: Area, parts: Parts, inherited: &KnownHistory) {
+        if self.worker.cancel.is_set() {
+            return;
+        }
         // What lies around the parts would only spoil the bounds.
         let area = match parts {
             Parts::Regions(regions) => regions::smallest_around(regions, area),
