@@ -97,7 +97,9 @@ impl RayBlock {
         }
         let from_center = origin - sphere.center.lift();
         let b = from_center.dot(d);
-        let c = from_center.length_squared() - Taylor::constant(radius_squared);
+        // Single rays compare the parts of the chord instead, which round by as much of these terms as a discriminant does.
+        let mut c = from_center.length_squared() - Taylor::constant(radius_squared);
+        c.e += ROUNDINGS * reach;
         let meets = meets & (c.le(zero) | b.lt(zero));
         if !meets.any() {
             return Hit::none();

@@ -26,9 +26,11 @@ impl Sphere {
         // The square of half the chord, from where the ray is nearest to the centre. The textbook's b² − dd·c is the same in
         // units of dd, but of a ball far away it is a difference of numbers that are all rounding: it would look thousands
         // of times its size (Haines, Günther, Akenine-Möller 2019).
-        let nearest = from_center - ray.direction * (b * ray.inv_dd);
+        let to_nearest = b * ray.inv_dd;
+        let nearest = from_center - ray.direction * to_nearest;
         let half_chord = radius_squared - nearest.length_squared();
-        let is_ahead = (from_center.length_squared() - radius_squared).le(zero) | b.lt(zero);
+        // From inside, where the way to the middle of the chord is shorter than half of it, or towards the middle.
+        let is_ahead = (b * to_nearest).le(half_chord) | b.lt(zero);
         let meets = half_chord.ge(zero) & is_ahead;
         if !meets.any() {
             return Hit::none();
