@@ -98,6 +98,10 @@ struct OnePortion<'a> {
 }
 
 impl Sink for OnePortion<'_> {
+    fn transfer(&self) -> Transfer {
+        Transfer::Srgb
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         if self.taken > 0 {
             return Err("the disc is full".into());

@@ -73,7 +73,7 @@ pub use brt_image::{
 };
 pub use brt_render::{
     Accelerator, Backdrop, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
-    DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
+    DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, KeptRows, Layer, LayerRows, Method, PencilSettings,
     PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run, SampleState,
     Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
 };

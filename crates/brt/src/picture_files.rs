@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use brt_image::{
     BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target,
-    WorkClock, encoder,
+    Transfer, WorkClock, encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
 
@@ -18,6 +18,8 @@ use crate::measure::{ErrorMeasure, Verification};
 /// All of it happens on the threads that render, while others render on.
 pub(crate) struct PictureFiles {
     files: Option<OpenFiles>,
+    /// That of the stored picture.
+    transfer: Transfer,
     painter: LayerPainter,
     measure: Option<ErrorMeasure>,
     /// Of measuring and painting.
@@ -35,7 +37,8 @@ impl PictureFiles {
         measure: Option<ErrorMeasure>,
     ) -> Result<Self, EncodeError> {
         let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, size)).transpose()?;
-        Ok(Self { files, painter, measure, clock: WorkClock::default(), threads: 1 })
+        let transfer = output.encoding.effective_transfer();
+        Ok(Self { files, transfer, painter, measure, clock: WorkClock::default(), threads: 1 })
     }
 
     /// Puts all files in place. Returns the measured error.
@@ -54,6 +57,10 @@ impl PictureFiles {
 }
 
 impl Sink for PictureFiles {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         self.threads = rayon::current_num_threads();
         let Self { files, painter, measure, clock, .. } = self;

@@ -26,7 +26,7 @@ use targets::Targets;
 pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let begin = Instant::now();
     let targets = Targets::new(options)?;
-    let method = method::chosen(options, &targets.picture.encoding)?;
+    let method = method::chosen(options)?;
 
     let input = scene_input::read(&options.scene, &options.reading, options.max_pixels)?;
     scene_input::check_spares(&input.files, &targets.files())?;

@@ -27,7 +27,8 @@ pub(super) fn show(
         return Err(wrong_use(format!("pixel {x},{y} is outside of the picture of {width}×{height}")));
     }
     settings.layers = Layer::ALL.to_vec();
-    let mut sink = PixelSink { pixel: [x, y], found: None };
+    let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
+    let mut sink = PixelSink { pixel: [x, y], transfer, found: None };
     match render(scene, &settings, &options.run(), &mut sink) {
         // The sink stops the rendering once it has what it wants.
         Ok(_) | Err(RenderError::Sink(_)) => {}
@@ -35,7 +36,6 @@ pub(super) fn show(
         Err(error) => return Err(error.into()),
     }
     let found = sink.found.ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
-    let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
     output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()));
     for line in describe(&found, scene, transfer) {
         output::line(&line);
@@ -46,10 +46,15 @@ pub(super) fn show(
 /// Rows of a single pixel.
 struct PixelSink {
     pixel: [u32; 2],
+    transfer: Transfer,
     found: Option<Rows>,
 }
 
 impl Sink for PixelSink {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         let [x, y] = self.pixel;
         if y >= rows.first + rows.count() {
