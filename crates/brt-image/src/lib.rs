@@ -31,8 +31,8 @@ mod quantize;
 mod transfer;
 
 pub use codec::{
-    AtomicFile, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
-    Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, WorkClock,
+    AbortHandle, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
+    Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureLimits, Place, PlainSink, Sink, Target, WorkClock,
     decode_picture, encoder, read_picture,
 };
 pub use color::{Rgb, rgb};
