@@ -9,7 +9,7 @@ use brt_render::{
 use brt_scene::Scene;
 use brt_testkit::{
     AnyScene, all_shapes, any_mesh_scene, any_scene, any_scene_of_solids, first_difference,
-    render_at_every_level, render_with_layers, replay_hint, seed_scene, seeded,
+    render_at_every_level, render_stored_at_every_level, render_with_layers, replay_hint, seed_scene, seeded,
 };
 use proptest::prelude::*;
 

@@ -51,7 +51,7 @@ pub mod library;
 mod measure;
 mod picture_files;
 
-pub use files::{Output, OutputError, RenderFilesError, Rendered, render_to_files};
+pub use files::{Output, OutputError, RenderFilesError, Rendered, render_into, render_to_files};
 pub use layers::PictureLayer;
 pub use measure::Verification;
 
@@ -68,7 +68,7 @@ pub use brt_formats::{
 };
 pub use brt_geometry::{SimdLevel, Vec3, vec3};
 pub use brt_image::{
-    BitDepth, Channels, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer,
+    BitDepth, Channels, Comparison, Compression, Encoding, FileSet, PictureFormat, PictureSize, Rgb, Target, Transfer,
     rgb,
 };
 pub use brt_render::{

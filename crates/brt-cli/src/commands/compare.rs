@@ -7,6 +7,7 @@ use brt::image::{self, PictureLimits, decode_picture, heat_map, read_picture};
 use brt::{Comparison, Encoding, Output};
 use clap::Args;
 
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::json::{self, ComparisonJson};
 use crate::output;
@@ -37,7 +38,7 @@ pub(crate) struct Options {
 }
 
 /// Compares two pictures. Alpha counts as a fourth channel.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     if is_dash(&options.reference) && is_dash(&options.test) {
         return Err(wrong_use("standard input holds one picture, expected a file for the other"));
     }
@@ -58,13 +59,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
         output::note(&format!("{} has no alpha: compared as if it were opaque", path.display()));
     }
     if options.json {
-        output::line(&json::text(&ComparisonJson::from(&comparison))?);
+        output::line(&json::text(&ComparisonJson::from(&comparison))?)?;
     } else {
-        output::line(&describe(&comparison));
+        output::line(&describe(&comparison))?;
         if comparison.max_error == 1.0 && [&reference, &test].into_iter().all(has_whole_levels) {
             output::line(
                 "one level is what rounding to 8 bits alone may make: the unrounded pictures may be closer",
-            );
+            )?;
         }
     }
     let over = options.max_error.is_some_and(|limit| comparison.max_error > limit);
