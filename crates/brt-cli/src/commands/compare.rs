@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::image::{self, PictureLimits, decode_picture, heat_map, read_picture};
+use brt::image::{self, PictureLimits, Sink, decode_picture, heat_rows, read_picture};
 use brt::{Comparison, Encoding, Output};
 use clap::Args;
 
@@ -43,17 +43,14 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
         return Err(wrong_use("standard input holds one picture, expected a file for the other"));
     }
     let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
+    let heat_file = heat_output.map(|output| open_heat_map(&output, context)).transpose()?.flatten();
     let limits = PictureLimits { pixels: options.max_pixels };
     let reference = read(&options.reference, limits)?;
     let test = read(&options.test, limits)?;
     let comparison = image::compare(&reference, &test)?;
-    if let Some(output) = heat_output {
-        let map = heat_map(&reference, &test)?;
-        if let Some(target) = output.target {
-            let mut encoder = image::encoder(target.open()?, map.size(), output.encoding)?;
-            encoder.write(map.pixels())?;
-            encoder.finish()?;
-        }
+    if let Some((file, encoding)) = heat_file {
+        write_heat_map(file, encoding, &reference, &test)?;
+        context.files.commit()?;
     }
     if let Some(path) = only_one_without_alpha(options, &reference, &test) {
         output::note(&format!("{} has no alpha: compared as if it were opaque", path.display()));
@@ -102,6 +99,29 @@ fn heat_output(options: &Options, path: &Path) -> Result<Output, Failure> {
         check_distinct(picture, &[path.to_owned()])?;
     }
     Ok(Output { encoding: Encoding { format: output.encoding.format, ..Encoding::default() }, ..output })
+}
+
+/// Opens it before the pictures are read, for they may take long.
+fn open_heat_map(
+    output: &Output,
+    context: &Context,
+) -> Result<Option<(Box<dyn Sink>, Encoding)>, Failure> {
+    let Some(target) = &output.target else { return Ok(None) };
+    Ok(Some((context.files.open(target)?, output.encoding)))
+}
+
+/// Row by row: the pictures take enough memory.
+fn write_heat_map(
+    file: Box<dyn Sink>,
+    encoding: Encoding,
+    reference: &image::Picture,
+    test: &image::Picture,
+) -> Result<(), Failure> {
+    let mut encoder = image::encoder(file, reference.size(), encoding)?;
+    for row in heat_rows(reference, test)? {
+        encoder.write(&row)?;
+    }
+    Ok(encoder.finish()?)
 }
 
 fn describe(c: &Comparison) -> String {
