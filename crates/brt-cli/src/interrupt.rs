@@ -59,7 +59,11 @@ impl Interrupt {
 impl State {
     fn tell(&self, nothing_was_written: bool) {
         if !self.was_told.swap(true, Ordering::Relaxed) {
-            output::error(if nothing_was_written { "interrupted, nothing was written" } else { "interrupted" });
+            output::error(if nothing_was_written {
+                "interrupted, nothing was written"
+            } else {
+                "interrupted"
+            });
         }
     }
 }

@@ -3,8 +3,8 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::image::Place;
 use brt::formats::{LimitExceeded, LimitKind, ParseError};
+use brt::image::Place;
 use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, import, library, load_as};
 use clap::Args;
 

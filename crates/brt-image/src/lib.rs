@@ -32,8 +32,8 @@ mod transfer;
 
 pub use codec::{
     AbortHandle, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
-    Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureLimits, Place, PlainSink, Sink, Target, WorkClock,
-    decode_picture, encoder, read_picture,
+    Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureLimits, Place, PlainSink, Sink, Target,
+    WorkClock, decode_picture, encoder, read_picture,
 };
 pub use color::{Rgb, rgb};
 pub use compare::{SizeMismatch, compare, heat_color, heat_map, heat_rows};

@@ -25,7 +25,9 @@ pub(crate) enum PixelKind {
 impl PixelKind {
     /// The kind with so many channels.
     pub(crate) fn of_channels(channels: usize) -> Option<Self> {
-        [Self::Grey, Self::GreyAlpha, Self::Rgb, Self::Rgba].into_iter().find(|kind| kind.channels() == channels)
+        [Self::Grey, Self::GreyAlpha, Self::Rgb, Self::Rgba]
+            .into_iter()
+            .find(|kind| kind.channels() == channels)
     }
 
     pub(crate) fn channels(self) -> usize {
@@ -99,7 +101,9 @@ impl Picture {
         let index = pixel_index * self.kind.channels() + channel;
         match &self.samples {
             Samples::Eight(codes) => f64::from(codes[index]) * STEPS_PER_LEVEL,
-            Samples::Sixteen(bytes) => f64::from(u16::from_be_bytes([bytes[2 * index], bytes[2 * index + 1]])),
+            Samples::Sixteen(bytes) => {
+                f64::from(u16::from_be_bytes([bytes[2 * index], bytes[2 * index + 1]]))
+            }
             Samples::Float(values) => f64::from(values[index]) * 65535.0,
         }
     }

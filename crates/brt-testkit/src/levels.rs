@@ -23,7 +23,12 @@ pub fn render_at_levels(scene: &Scene, settings: &Settings, run: &Run) -> Render
 ///
 /// # Panics
 /// If the levels differ, or [`render_stored`] panics.
-pub fn render_stored_at_levels(scene: &Scene, settings: &Settings, run: &Run, transfer: Transfer) -> Rendered {
+pub fn render_stored_at_levels(
+    scene: &Scene,
+    settings: &Settings,
+    run: &Run,
+    transfer: Transfer,
+) -> Rendered {
     let [width, height] = settings.size;
     let samples = u64::from(width) * u64::from(height) * u64::from(settings.samples.per_pixel());
     if samples <= SMALL {

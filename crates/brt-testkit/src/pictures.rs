@@ -4,9 +4,7 @@ use std::fmt;
 
 use brt_formats::write_toml;
 use brt_image::Transfer;
-use brt_render::{
-    Certificate, KeptRows, LayerRows, RayHistory, Run, SampleState, Settings, Stats, render,
-};
+use brt_render::{Certificate, KeptRows, LayerRows, RayHistory, Run, SampleState, Settings, Stats, render};
 use brt_scene::Scene;
 
 /// A picture with the layers that were asked for; the others are empty.

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use brt_image::{
-    BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureSize, Target,
-    Transfer, WorkClock, encoder,
+    BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureSize,
+    Target, Transfer, WorkClock, encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
 
@@ -37,7 +37,8 @@ impl PictureFiles {
         painter: LayerPainter,
         measure: Option<ErrorMeasure>,
     ) -> Result<Self, EncodeError> {
-        let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, set, size)).transpose()?;
+        let files =
+            output.target.as_ref().map(|target| OpenFiles::open(output, target, set, size)).transpose()?;
         let transfer = output.encoding.effective_transfer();
         Ok(Self { files, transfer, painter, measure, clock: WorkClock::default(), threads: 1 })
     }

@@ -102,10 +102,7 @@ fn heat_output(options: &Options, path: &Path) -> Result<Output, Failure> {
 }
 
 /// Opens it before the pictures are read, for they may take long.
-fn open_heat_map(
-    output: &Output,
-    context: &Context,
-) -> Result<Option<(Box<dyn Sink>, Encoding)>, Failure> {
+fn open_heat_map(output: &Output, context: &Context) -> Result<Option<(Box<dyn Sink>, Encoding)>, Failure> {
     let Some(target) = &output.target else { return Ok(None) };
     Ok(Some((context.files.open(target)?, output.encoding)))
 }

@@ -8,8 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::context::Context;
 use crate::exit::{Failure, Outcome};
-use crate::scene_input::{self, InputOptions};
 use crate::output;
+use crate::scene_input::{self, InputOptions};
 
 /// Sizes beyond this cost hours.
 const GREATEST_SIZE: u32 = 16_384;

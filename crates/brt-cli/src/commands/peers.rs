@@ -10,8 +10,8 @@ use clap::Args;
 
 use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
-use crate::scene_input::{self, InputOptions, check_distinct};
 use crate::output;
+use crate::scene_input::{self, InputOptions, check_distinct};
 
 /// Pixels that a scene file may ask for; only its proportions are used here.
 const MAX_PIXELS: u64 = 1 << 32;

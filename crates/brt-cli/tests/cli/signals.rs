@@ -133,7 +133,10 @@ fn the_limit_for_sizes_of_files_is_an_error_like_a_full_disk() {
         .unwrap();
     let errors = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{errors}");
-    assert!(errors.starts_with("error: cannot write a.ppm: the limit for sizes of files is reached"), "{errors}");
+    assert!(
+        errors.starts_with("error: cannot write a.ppm: the limit for sizes of files is reached"),
+        "{errors}"
+    );
     assert_eq!(fs::read_to_string(bench.path("a.ppm")).unwrap(), "a picture of before");
     assert_eq!(bench.files(), ["a.ppm", "ball.toml"]);
 }

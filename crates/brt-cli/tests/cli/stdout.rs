@@ -59,6 +59,10 @@ fn a_picture_for_a_closed_standard_output_is_refused_before_it_is_rendered() {
     };
     let closed = run(">&-");
     assert_eq!(closed.code, Some(1));
-    assert!(closed.errors.starts_with("error: cannot write standard output: it is closed\n"), "{}", closed.errors);
+    assert!(
+        closed.errors.starts_with("error: cannot write standard output: it is closed\n"),
+        "{}",
+        closed.errors
+    );
     assert_eq!(run(">/dev/null").code, Some(0));
 }

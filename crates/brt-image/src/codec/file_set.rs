@@ -14,7 +14,7 @@ use tempfile::TempPath;
 
 use super::part_file;
 use super::place::Place;
-use super::replace::{Part, check_folder, check_target, new_permissions, replace_all};
+use super::replace::{Part, check_renaming, check_target, new_permissions, replace_all};
 use super::sink::Sink;
 use super::target::{BUFFER_BYTES, Device, Target, naming, standard_output};
 
@@ -97,7 +97,7 @@ impl FileSet {
         }
         let (file, part) = part_file::create(&place, existing.as_ref().and_then(new_permissions))?;
         if let Some(existing) = &existing {
-            check_folder(&place, existing, &file)?;
+            check_renaming(&place, existing, &file)?;
         }
         let id = staged.begun;
         staged.begun += 1;

@@ -30,8 +30,7 @@ impl Bench {
     /// Names and contents of all files, sorted.
     fn state(&self) -> Vec<(String, String)> {
         let content = |path: &Path| fs::read_to_string(path).unwrap_or_else(|_| "(folder)".to_owned());
-        let entry =
-            |e: fs::DirEntry| (e.file_name().into_string().unwrap(), content(&e.path()));
+        let entry = |e: fs::DirEntry| (e.file_name().into_string().unwrap(), content(&e.path()));
         let mut all: Vec<_> = fs::read_dir(self.0.path()).unwrap().map(|e| entry(e.unwrap())).collect();
         all.sort();
         all

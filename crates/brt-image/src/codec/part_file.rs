@@ -8,7 +8,7 @@ use std::fs::{self, File, OpenOptions, Permissions, TryLockError};
 use std::io;
 use std::path::Path;
 
-use tempfile::{Builder, TempPath};
+use tempfile::{Builder, NamedTempFile, TempPath};
 
 use super::place::Place;
 
@@ -41,20 +41,18 @@ pub(super) fn create(place: &Place, permissions: Option<Permissions>) -> io::Res
     Err(io::Error::other("another process removes what is begun"))
 }
 
-fn new_file(place: &Place) -> io::Result<tempfile::NamedTempFile> {
+/// Opened here and not by the library, whose files only the owner can read, and whose errors name a hidden path.
+fn new_file(place: &Place) -> io::Result<NamedTempFile> {
     let prefix = prefix(place.name());
-    let mut builder = builder(&prefix);
-    // The default, readable by the owner alone, suits secrets. The umask still applies.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(place.folder()).map_err(without_path)
+    let open = |path: &Path| OpenOptions::new().read(true).write(true).create_new(true).open(path);
+    builder(&prefix).make_in(place.folder(), open)
 }
 
 /// A second name for the file that is at a place now; it is removed when dropped.
 pub(super) fn second_name(place: &Place) -> io::Result<TempPath> {
     let prefix = prefix(place.name());
     let made = builder(&prefix).make_in(place.folder(), |path| fs::hard_link(place.path(), path));
-    Ok(made.map_err(without_path)?.into_temp_path())
+    Ok(made?.into_temp_path())
 }
 
 fn builder(prefix: &str) -> Builder<'_, 'static> {
@@ -67,11 +65,6 @@ fn builder(prefix: &str) -> Builder<'_, 'static> {
 fn prefix(name: &OsStr) -> String {
     let name = name.to_string_lossy();
     format!(".{}{MARK}", &name[..name.floor_char_boundary(KEPT_NAME_BYTES)])
-}
-
-/// What went wrong without the random name that it went wrong with.
-fn without_path(error: io::Error) -> io::Error {
-    error.raw_os_error().map_or(error, io::Error::from_raw_os_error)
 }
 
 /// Removes the part files in a folder that nobody writes. What cannot be looked at or removed stays.
@@ -137,7 +130,9 @@ mod tests {
             drop(file);
             path.keep().unwrap()
         };
-        for others in [".a.png.part", ".a.brt-12345678", "a.brt-12345678.part", ".a.brt-1234567.part", "a.png"] {
+        for others in
+            [".a.png.part", ".a.brt-12345678", "a.brt-12345678.part", ".a.brt-1234567.part", "a.png"]
+        {
             fs::write(folder.path().join(others), "").unwrap();
         }
         sweep(folder.path());

@@ -20,7 +20,7 @@ pub(super) struct Part {
     pub(super) _lock: Option<File>,
 }
 
-/// Refuses to replace a file that is protected from writing, or that cannot be renamed over.
+/// Refuses to replace a file that is protected from writing.
 ///
 /// Renaming would replace what the owner protected: a file that cannot be written is not replaced either, not even by
 /// those whom permissions do not bind.
@@ -30,9 +30,14 @@ pub(super) fn check_target(place: &Place, existing: &Metadata) -> io::Result<()>
     }
     match OpenOptions::new().write(true).open(place.path()) {
         // A program that runs can be replaced.
-        Err(error) if error.kind() != io::ErrorKind::ExecutableFileBusy => return Err(error),
-        _ => {}
+        Err(error) if error.kind() != io::ErrorKind::ExecutableFileBusy => Err(error),
+        _ => Ok(()),
     }
+}
+
+/// Refuses to replace what cannot be renamed over. `own` is a file of ours in the folder.
+pub(super) fn check_renaming(place: &Place, existing: &Metadata, own: &File) -> io::Result<()> {
+    check_folder(place, existing, own)?;
     match part_file::second_name(place) {
         // What is mounted over a single file has no other names, and nothing can be renamed over it.
         Err(error) if error.kind() == io::ErrorKind::CrossesDevices => {
@@ -42,21 +47,28 @@ pub(super) fn check_target(place: &Place, existing: &Metadata) -> io::Result<()>
     }
 }
 
-/// Refuses to replace a file in a folder that only lets owners do so, such as `/tmp`. `own` is a file of ours in it.
+/// Refuses to replace a file in a folder that only lets owners do so, such as `/tmp`. There, a second name for the file
+/// could not be taken away again either.
 #[cfg(unix)]
-pub(super) fn check_folder(place: &Place, existing: &Metadata, own: &File) -> io::Result<()> {
+fn check_folder(place: &Place, existing: &Metadata, own: &File) -> io::Result<()> {
     use std::os::unix::fs::MetadataExt;
-    const STICKY: u32 = 0o1000;
     let (folder, user) = (fs::metadata(place.folder())?, own.metadata()?.uid());
-    let may_replace = folder.mode() & STICKY == 0 || [0, existing.uid(), folder.uid()].contains(&user);
-    if may_replace {
+    if may_replace(user, [existing.uid(), folder.uid()], folder.mode()) {
         return Ok(());
     }
     Err(io::Error::new(io::ErrorKind::PermissionDenied, "its folder lets only its owner replace it"))
 }
 
+/// May a user replace a file, given the owners of file and folder, and the folder's mode?
+#[cfg(unix)]
+fn may_replace(user: u32, owners: [u32; 2], mode: u32) -> bool {
+    const STICKY: u32 = 0o1000;
+    const ROOT: u32 = 0;
+    mode & STICKY == 0 || user == ROOT || owners.contains(&user)
+}
+
 #[cfg(not(unix))]
-pub(super) fn check_folder(_: &Place, _: &Metadata, _: &File) -> io::Result<()> {
+fn check_folder(_: &Place, _: &Metadata, _: &File) -> io::Result<()> {
     Ok(())
 }
 
@@ -85,8 +97,12 @@ pub(super) fn replace_all(parts: Vec<Part>) -> io::Result<()> {
         let before = if is_alone { Before::Unknown } else { Before::of(&place) };
         if let Err(error) = path.persist(place.path()) {
             let kept: Vec<String> = done.into_iter().rev().filter_map(Replaced::take_back).collect();
-            let new = if kept.is_empty() { String::new() } else { format!("; new already: {}", kept.join(", ")) };
-            return Err(io::Error::new(error.error.kind(), format!("{}{new}", naming(&target, &error.error))));
+            let new =
+                if kept.is_empty() { String::new() } else { format!("; new already: {}", kept.join(", ")) };
+            return Err(io::Error::new(
+                error.error.kind(),
+                format!("{}{new}", naming(&target, &error.error)),
+            ));
         }
         done.push(Replaced { target, place, before });
     }
@@ -129,5 +145,22 @@ impl Replaced {
             Before::Unknown => false,
         };
         (!is_back).then(|| self.target.display().to_string())
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sticky_folders_let_owners_alone_replace() {
+        let [sticky, plain] = [0o1777, 0o777];
+        assert!(may_replace(7, [8, 9], plain));
+        assert!(!may_replace(7, [8, 9], sticky));
+        assert!(
+            may_replace(7, [7, 9], sticky)
+                && may_replace(7, [8, 7], sticky)
+                && may_replace(0, [8, 9], sticky)
+        );
     }
 }

@@ -3,9 +3,7 @@
 //! Times are processor times of one thread: other programs disturb them least. Contenders take turns within each
 //! repetition, so that a machine which slows down slows all of them.
 
-use brt::{
-    KeptRows, Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, Transfer, render,
-};
+use brt::{KeptRows, Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, Transfer, render};
 use cpu_time::ProcessTime;
 
 use super::fit::median;

@@ -188,7 +188,9 @@ pub(super) mod tests {
         assert_eq!(read(&path).unwrap(), []);
         let both = two_runs();
         let files = FileSet::new();
-        let add = |records| append(&files, &path, records).and_then(|()| Ok(files.commit().map_err(EncodeError::Io)?));
+        let add = |records| {
+            append(&files, &path, records).and_then(|()| Ok(files.commit().map_err(EncodeError::Io)?))
+        };
         add(&both[..6]).unwrap();
         let before = fs::read_to_string(&path).unwrap();
         // An editor may have taken the last end of line.

@@ -47,7 +47,8 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
         return pixel::show(options, context, &scene, settings, pixel);
     }
 
-    let stats_file = targets.stats.as_deref().map(|path| text_file::open(path, &context.files)).transpose()?;
+    let stats_file =
+        targets.stats.as_deref().map(|path| text_file::open(path, &context.files)).transpose()?;
     let rendered = render(options, context, &targets, &scene, &settings)?;
     let total = begin.elapsed().as_secs_f64();
     let seconds = Seconds::new(load, total, &rendered);

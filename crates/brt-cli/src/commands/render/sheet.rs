@@ -13,7 +13,8 @@ use std::thread;
 use brt::framing::View;
 use brt::image::{BandWriter, PixelRows, encoder};
 use brt::{
-    Given, PictureSize, RenderError, Rows, Run, Scene, Settings, Sink, SinkError, Transfer, render as render_rows,
+    Given, PictureSize, RenderError, Rows, Run, Scene, Settings, Sink, SinkError, Transfer,
+    render as render_rows,
 };
 
 use super::failure;
