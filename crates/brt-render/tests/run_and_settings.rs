@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use brt_image::Transfer;
 use brt_render::{
     BorderSettings, Filter, Layer, Method, PixelSelectedSettings, Progress, RayOrder, RenderError, Rows, Run,
     Samples, Settings, Sink, SinkError, Stats, TileOrder, render,

@@ -4,7 +4,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use brt::image::{self, PictureLimits, Sink, decode_picture, heat_rows, read_picture};
-use brt::{Comparison, Encoding, Output};
+use brt::{Comparison, Encoding, Output, Target};
 use clap::Args;
 
 use crate::context::Context;
@@ -42,14 +42,13 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     if is_dash(&options.reference) && is_dash(&options.test) {
         return Err(wrong_use("standard input holds one picture, expected a file for the other"));
     }
-    let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
-    let heat_file = heat_output.map(|output| open_heat_map(&output, context)).transpose()?.flatten();
+    let map = options.heat_map.as_deref().map(|path| HeatMap::open(options, path, context)).transpose()?;
     let limits = PictureLimits { pixels: options.max_pixels };
     let reference = read(&options.reference, limits)?;
     let test = read(&options.test, limits)?;
     let comparison = image::compare(&reference, &test)?;
-    if let Some((file, encoding)) = heat_file {
-        write_heat_map(file, encoding, &reference, &test)?;
+    if let Some(map) = map {
+        map.write(&reference, &test)?;
         context.files.commit()?;
     }
     if let Some(path) = only_one_without_alpha(options, &reference, &test) {
@@ -92,33 +91,30 @@ fn only_one_without_alpha<'o>(
     }
 }
 
-/// Where the heat map goes; not over one of the pictures.
-fn heat_output(options: &Options, path: &Path) -> Result<Output, Failure> {
-    let output = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
-    for picture in [&options.reference, &options.test] {
-        check_distinct(picture, &[path.to_owned()])?;
-    }
-    Ok(Output { encoding: Encoding { format: output.encoding.format, ..Encoding::default() }, ..output })
-}
-
-/// Opens it before the pictures are read, for they may take long.
-fn open_heat_map(output: &Output, context: &Context) -> Result<Option<(Box<dyn Sink>, Encoding)>, Failure> {
-    let Some(target) = &output.target else { return Ok(None) };
-    Ok(Some((context.files.open(target)?, output.encoding)))
-}
-
-/// Row by row: the pictures take enough memory.
-fn write_heat_map(
+/// A picture of the differences that is to be written.
+struct HeatMap {
     file: Box<dyn Sink>,
     encoding: Encoding,
-    reference: &image::Picture,
-    test: &image::Picture,
-) -> Result<(), Failure> {
-    let mut encoder = image::encoder(file, reference.size(), encoding)?;
-    for row in heat_rows(reference, test)? {
-        encoder.write(&row)?;
+}
+
+impl HeatMap {
+    /// Opens the file, not over one of the pictures, before these are read, which may take long.
+    fn open(options: &Options, path: &Path, context: &Context) -> Result<Self, Failure> {
+        let Output { encoding, .. } = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
+        for picture in [&options.reference, &options.test] {
+            check_distinct(picture, &[path.to_owned()])?;
+        }
+        Ok(Self { file: context.files.open(&Target::File(path.to_owned()))?, encoding })
     }
-    Ok(encoder.finish()?)
+
+    /// Row by row: the pictures take enough memory.
+    fn write(self, reference: &image::Picture, test: &image::Picture) -> Result<(), Failure> {
+        let mut encoder = image::encoder(self.file, reference.size(), self.encoding)?;
+        for row in heat_rows(reference, test)? {
+            encoder.write(&row)?;
+        }
+        Ok(encoder.finish()?)
+    }
 }
 
 fn describe(c: &Comparison) -> String {
