@@ -7,7 +7,7 @@ use brt_render::{CertifiedSettings, Method, Settings};
 use brt_scene::{Camera, Projection, Scene, procedural};
 use brt_testkit::{Random, scaled};
 
-use crate::scenes::{SEED, open, render_whole};
+use crate::scenes::{SEED, open, render_stored, render_whole};
 
 /// Sizes of the matrix.
 const SIZES: [[u32; 2]; 3] = [[512, 512], [1000, 777], [2048, 2048]];
@@ -37,14 +37,10 @@ pub(crate) fn matrix(given: &[String], most_side: u32) -> Result<()> {
             let mut check = Check::of(&scene, size)?;
             for transfer in [Transfer::Linear, Transfer::Srgb] {
                 for tolerance in TOLERANCES {
-                    check.keeps(CertifiedSettings { tolerance, transfer }, &name, &mut tally)?;
+                    check.keeps(tolerance, transfer, &name, &mut tally)?;
                 }
             }
-            check.keeps(
-                CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() },
-                &name,
-                &mut tally,
-            )?;
+            check.keeps(0.0, Transfer::Srgb, &name, &mut tally)?;
         }
     }
     end(&tally)
@@ -68,7 +64,7 @@ pub(crate) fn views(given: &[String], pixels: u64, seed: u64) -> Result<()> {
         let tolerance = random.pick(&[0.0, 0.1, 0.25, 1.0, 1.0, 3.0]);
         let view = format!("{name}, {:?}", scene.camera);
         let before = tally.above;
-        Check::of(&scene, size)?.keeps(CertifiedSettings { tolerance, transfer }, &view, &mut tally)?;
+        Check::of(&scene, size)?.keeps(tolerance, transfer, &view, &mut tally)?;
         if tally.above > before {
             let path = std::env::temp_dir().join("certify-failed.toml");
             std::fs::write(&path, write_toml(&Scene { size: Some(size), ..scene }))?;
@@ -114,10 +110,10 @@ impl<'a> Check<'a> {
         Ok(Self { scene, size, full })
     }
 
-    fn keeps(&mut self, settings: CertifiedSettings, name: &str, tally: &mut Tally) -> Result<()> {
-        let CertifiedSettings { tolerance, transfer } = settings;
-        let method = Method::Certified(settings);
-        let (colors, _, stats) = render_whole(self.scene, &Settings { method, ..Settings::new(self.size) })?;
+    fn keeps(&mut self, tolerance: f64, transfer: Transfer, name: &str, tally: &mut Tally) -> Result<()> {
+        let method = Method::Certified(CertifiedSettings { tolerance });
+        let settings = Settings { method, ..Settings::new(self.size) };
+        let (colors, _, stats) = render_stored(self.scene, &settings, transfer)?;
         let errors = || colors.iter().zip(&self.full).map(|(a, b)| error(transfer, *a, *b));
         let above = if tolerance == 0.0 {
             colors.iter().zip(&self.full).filter(|(a, b)| a != b).count()

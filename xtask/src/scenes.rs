@@ -4,7 +4,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use brt_formats::{Limits, load};
-use brt_render::{Layer, LayerRows, RayOrder, Rows, Run, Settings, Stats, render};
+use brt_image::Transfer;
+use brt_render::{KeptRows, Layer, LayerRows, RayOrder, Rows, Run, Settings, Stats, render};
 use brt_scene::{Scene, procedural};
 
 /// The seed scenes.
@@ -28,10 +29,19 @@ pub(crate) fn open_sized(name: &str, size: Option<u32>) -> Result<Scene> {
 /// Renders a scene into memory, joined to whole layers; full ray tracing ray by ray, so that it shares no lookup with what
 /// is held against it.
 pub(crate) fn render_whole(scene: &Scene, settings: &Settings) -> Result<(Vec<[f32; 3]>, Vec<Rows>, Stats)> {
-    let mut rows: Vec<Rows> = Vec::new();
-    let stats = render(scene, settings, &Run { rays: RayOrder::Single, ..Run::default() }, &mut rows)?;
-    let colors = rows.iter().flat_map(|r| r.colors.iter().copied()).collect();
-    Ok((colors, rows, stats))
+    render_stored(scene, settings, Transfer::Srgb)
+}
+
+/// The same for a picture that is stored with a transfer function.
+pub(crate) fn render_stored(
+    scene: &Scene,
+    settings: &Settings,
+    transfer: Transfer,
+) -> Result<(Vec<[f32; 3]>, Vec<Rows>, Stats)> {
+    let mut kept = KeptRows::new(transfer);
+    let stats = render(scene, settings, &Run { rays: RayOrder::Single, ..Run::default() }, &mut kept)?;
+    let colors = kept.rows.iter().flat_map(|r| r.colors.iter().copied()).collect();
+    Ok((colors, kept.rows, stats))
 }
 
 /// Settings of a square picture with some layers.

@@ -4,7 +4,9 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::commands::{compare, convert, formats, inspect, paper, peers, render, scene, shell};
+use crate::context::Context;
 use crate::exit::{Failure, Outcome};
+use crate::output;
 
 /// Border ray tracing: noise-free stills whose cost grows with the borders in the picture, not with its pixels.
 #[derive(Debug, Parser)]
@@ -39,20 +41,20 @@ enum Command {
 }
 
 /// Does what the command line asks for.
-pub(crate) fn run() -> Result<Outcome, Failure> {
+pub(crate) fn run(context: &Context) -> Result<Outcome, Failure> {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return no_command(error),
     };
     match cli.command {
-        Command::Render(options) => render::run(&options),
-        Command::Compare(options) => compare::run(&options),
+        Command::Render(options) => render::run(&options, context),
+        Command::Compare(options) => compare::run(&options, context),
         Command::Inspect(options) => inspect::run(&options),
-        Command::Convert(options) => convert::run(&options),
-        Command::Scene(options) => scene::run(&options),
+        Command::Convert(options) => convert::run(&options, context),
+        Command::Scene(options) => scene::run(&options, context),
         Command::Formats => formats::run(),
-        Command::Paper(options) => paper::run(&options),
-        Command::Peers(options) => peers::run(&options),
+        Command::Paper(options) => paper::run(&options, context),
+        Command::Peers(options) => peers::run(&options, context),
         Command::Completions(options) => shell::completions(&options, Cli::command()),
         Command::Man => shell::man(Cli::command()),
     }
@@ -62,8 +64,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
 fn no_command(error: clap::Error) -> Result<Outcome, Failure> {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
-            // Nobody may be listening any more.
-            let _ = error.print();
+            output::printed(error.print())?;
             Ok(Outcome::Done)
         }
         _ => Err(Failure::CommandLine(error)),

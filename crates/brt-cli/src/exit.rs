@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::process::ExitCode;
 
-use crate::{habits, interrupt, output};
+use crate::interrupt::Interrupt;
+use crate::{habits, output};
 
 /// The command did what was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +31,7 @@ pub(crate) enum Failure {
     },
     /// The same, and all has been said.
     Reported,
-    /// The user stopped it.
+    /// A signal stopped it.
     Interrupted,
 }
 
@@ -46,11 +47,16 @@ pub(crate) fn wrong_use(message: impl Into<String>) -> Failure {
 }
 
 /// Runs the command and says how it ended.
-pub(crate) fn run(command: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
-    let code = match command() {
-        Ok(Outcome::Done) => 0,
-        Ok(Outcome::OverLimit) => 3,
-        Err(failure) => {
+pub(crate) fn run(interrupt: &Interrupt, command: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
+    let code = match (command(), interrupt.exit_code()) {
+        (Ok(Outcome::Done), _) => 0,
+        (Ok(Outcome::OverLimit), _) => 3,
+        // Whatever went wrong did so because everything was given up.
+        (Err(_), Some(code)) => {
+            interrupt.tell();
+            code
+        }
+        (Err(failure), None) => {
             report(&failure);
             failure.code()
         }
@@ -61,9 +67,8 @@ pub(crate) fn run(command: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCod
 impl Failure {
     fn code(&self) -> u8 {
         match self {
-            Self::CouldNot { .. } | Self::Reported => 1,
+            Self::CouldNot { .. } | Self::Reported | Self::Interrupted => 1,
             Self::CommandLine(_) | Self::WrongUse(_) => 2,
-            Self::Interrupted => interrupt::EXIT_CODE,
         }
     }
 }
@@ -71,7 +76,7 @@ impl Failure {
 fn report(failure: &Failure) {
     match failure {
         Failure::CommandLine(error) => {
-            // Nobody may be listening any more.
+            // There is nobody to tell that it cannot be told.
             let _ = error.print();
         }
         Failure::WrongUse(message) => output::error(message),
@@ -81,8 +86,7 @@ fn report(failure: &Failure) {
                 output::hint(hint);
             }
         }
-        Failure::Interrupted => output::error("interrupted, nothing was written"),
-        Failure::Reported => {}
+        Failure::Interrupted | Failure::Reported => {}
     }
     if failure.code() == 2
         && let Some(hint) = habits::hint(std::env::args_os().skip(1))

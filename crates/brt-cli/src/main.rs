@@ -1,10 +1,11 @@
 //! The command `brt`: reads scenes, renders them, compares pictures.
 //!
 //! Exit codes: 0 done; 1 could not (file, limit); 2 wrong use; 3 done, but over the stated limit; 101 a bug of ours;
-//! 130 interrupted.
+//! 129, 130 and 143 stopped by a signal (hangup, interrupt, termination).
 
 mod cli;
 mod commands;
+mod context;
 mod diagnostics;
 mod exit;
 mod framing;
@@ -15,11 +16,15 @@ mod output;
 mod panics;
 mod progress;
 mod scene_input;
+mod signals;
 mod values;
 
 use std::process::ExitCode;
 
+use context::Context;
+
 fn main() -> ExitCode {
     panics::install_hook();
-    exit::run(cli::run)
+    let context = Context::new();
+    exit::run(&context.interrupt, || cli::run(&context))
 }

@@ -1,10 +1,64 @@
-//! All that the command says. A reader that went away is no error: there is nobody to tell.
+//! All that the command says.
+//!
+//! What goes to standard output is what the command was called for: if it cannot be written, that is an error. If its
+//! reader went away, it is not, for nobody misses it. On standard error there is nobody to tell.
 
 use std::io::{self, IsTerminal, Write};
 
 /// A line on standard output.
-pub(crate) fn line(text: &str) {
-    let _ = writeln!(io::stdout().lock(), "{}", printable(text));
+///
+/// # Errors
+/// If it cannot be written.
+pub(crate) fn line(text: &str) -> io::Result<()> {
+    printed(writeln!(io::stdout().lock(), "{}", printable(text)))
+}
+
+/// Bytes on standard output.
+///
+/// # Errors
+/// If they cannot be written.
+pub(crate) fn bytes(bytes: &[u8]) -> io::Result<()> {
+    printed(io::stdout().lock().write_all(bytes))
+}
+
+/// What became of something that was printed to standard output.
+///
+/// # Errors
+/// If it did not get there.
+pub(crate) fn printed(result: io::Result<()>) -> io::Result<()> {
+    match result.and_then(|()| io::stdout().lock().flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(io::Error::new(error.kind(), format!("cannot write standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Was the command started without standard output?
+///
+/// The library opens the null device in its place, and all that is written is lost without an error. It does so for
+/// reading and writing, which shells do not.
+#[cfg(unix)]
+pub(crate) fn is_closed() -> bool {
+    use std::fs::{self, File};
+    use std::os::fd::AsFd;
+    use std::os::unix::fs::MetadataExt;
+
+    use nix::fcntl::{FcntlArg, OFlag, fcntl};
+
+    let stdout = io::stdout();
+    let is_for_both = fcntl(&stdout, FcntlArg::F_GETFL)
+        .is_ok_and(|flags| OFlag::from_bits_retain(flags) & OFlag::O_ACCMODE == OFlag::O_RDWR);
+    let device = || {
+        let file = File::from(stdout.as_fd().try_clone_to_owned().ok()?);
+        Some(file.metadata().ok()?.rdev())
+    };
+    is_for_both && device().is_some_and(|id| fs::metadata("/dev/null").is_ok_and(|null| null.rdev() == id))
+}
+
+#[cfg(not(unix))]
+pub(crate) fn is_closed() -> bool {
+    false
 }
 
 /// A line on standard error.
@@ -35,7 +89,8 @@ pub(crate) fn errors_are_seen() -> bool {
 /// May standard error be coloured?
 pub(crate) fn errors_have_color() -> bool {
     let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    errors_are_seen() && !set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+    let draws_colors = set("TERM") && std::env::var_os("TERM").is_some_and(|term| term != "dumb");
+    errors_are_seen() && !set("NO_COLOR") && draws_colors
 }
 
 /// Names in files may hold control characters, which must not reach a terminal.

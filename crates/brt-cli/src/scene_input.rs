@@ -4,6 +4,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use brt::formats::{LimitExceeded, LimitKind, ParseError};
+use brt::image::Place;
 use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, import, library, load_as};
 use clap::Args;
 
@@ -186,8 +187,9 @@ pub(crate) fn check_distinct(scene: &Path, outputs: &[PathBuf]) -> Result<(), Fa
     Ok(())
 }
 
+/// Also of files that are not there yet.
 fn same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
+    match (Place::of(a), Place::of(b)) {
         (Ok(a), Ok(b)) => a == b,
         _ => a == b,
     }

@@ -43,16 +43,30 @@ pub fn compare(reference: &Picture, test: &Picture) -> Result<Comparison, SizeMi
 /// # Errors
 /// If their sizes differ.
 pub fn heat_map(reference: &Picture, test: &Picture) -> Result<Image, SizeMismatch> {
-    let pixels = pixels_in_common(reference, test)?;
+    let mut image = Image::black(reference.size());
+    let width = reference.size().width as usize;
+    for (row, pixels) in heat_rows(reference, test)?.zip(image.pixels_mut().chunks_mut(width)) {
+        pixels.copy_from_slice(&row);
+    }
+    Ok(image)
+}
+
+/// The rows of [`heat_map`], from the top, for those who need only one at a time.
+///
+/// # Errors
+/// If the sizes of the pictures differ.
+pub fn heat_rows<'p>(
+    reference: &'p Picture,
+    test: &'p Picture,
+) -> Result<impl Iterator<Item = Vec<[f32; 3]>> + use<'p>, SizeMismatch> {
+    pixels_in_common(reference, test)?;
     let color = |i| {
         let differences = difference(all_steps(reference, i), all_steps(test, i));
         heat_color(differences.into_iter().fold(0.0, f64::max) / STEPS_PER_LEVEL)
     };
-    let mut image = Image::black(reference.size());
-    for (i, pixel) in image.pixels_mut()[..pixels].iter_mut().enumerate() {
-        *pixel = color(i);
-    }
-    Ok(image)
+    let PictureSize { width, height } = reference.size();
+    let row = move |y: usize| (y * width as usize..(y + 1) * width as usize).map(color).collect();
+    Ok((0..height as usize).map(row))
 }
 
 /// Steps of colours and alpha.
@@ -93,27 +107,27 @@ pub fn heat_color(levels: f64) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::Samples;
+    use crate::picture::{PixelKind, Samples};
 
     fn eight(pixels: Vec<[u8; 3]>) -> Picture {
-        Picture::new(PictureSize::new(pixels.len() as u32, 1), Samples::Eight(pixels))
+        let size = PictureSize::new(pixels.len() as u32, 1);
+        Picture::new(size, PixelKind::Rgb, Samples::Eight(pixels.into_flattened()))
     }
 
     #[test]
     fn depths_compare_exactly() {
         let size = PictureSize::new(2, 1);
         let a = eight(vec![[0, 100, 255], [7, 8, 9]]);
-        let b = Picture::new(
-            size,
-            Samples::Sixteen(vec![[0, 100 * 257, 65535], [8 * 257, 8 * 257, 9 * 257 + 258]]),
-        );
+        let codes = [0_u16, 100 * 257, 65535, 8 * 257, 8 * 257, 9 * 257 + 258];
+        let bytes = codes.into_iter().flat_map(u16::to_be_bytes).collect();
+        let b = Picture::new(size, PixelKind::Rgb, Samples::Sixteen(bytes));
         let c = compare(&a, &b).unwrap();
         // Steps: 0, 0, 0 and 257, 0, 258; one pixel is one step over one level.
         assert_eq!(c.max_error, 258.0 / 257.0);
         assert_eq!((c.over_1, c.over_2, c.over_10), (1, 0, 0));
         assert!((c.mean_error - 515.0 / 257.0 / 6.0).abs() <= f64::EPSILON);
 
-        let f = Picture::new(size, Samples::Float(vec![[0.0, 0.0, 1.0], [2.0, 0.0, 0.0]]));
+        let f = Picture::new(size, PixelKind::Rgb, Samples::Float(vec![0.0, 0.0, 1.0, 2.0, 0.0, 0.0]));
         assert_eq!(f.levels(1), [510.0, 0.0, 0.0]);
     }
 

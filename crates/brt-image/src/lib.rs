@@ -31,12 +31,12 @@ mod quantize;
 mod transfer;
 
 pub use codec::{
-    AtomicFile, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
-    Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureLimits, PlainSink, Sink, Target, WorkClock,
-    decode_picture, encoder, read_picture,
+    AbortHandle, BandWriter, BitDepth, Channels, Compression, DecodeError, DecodeProblem, EncodeError,
+    Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureLimits, Place, PlainSink, Sink, Target,
+    WorkClock, decode_picture, encoder, read_picture,
 };
 pub use color::{Rgb, rgb};
-pub use compare::{SizeMismatch, compare, heat_color, heat_map};
+pub use compare::{SizeMismatch, compare, heat_color, heat_map, heat_rows};
 pub use false_color::{depth_color, id_color};
 pub use image::{Band, Image, PictureSize, PixelCountError};
 pub use metrics::{Comparison, DifferenceMeter};

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use brt::{Scene, library};
+use brt::{FileSet, Scene, library};
 use brt_lab::paper::{Options, Summary, Watch, run};
 
 /// Everything at a size that takes seconds.
@@ -16,7 +16,7 @@ fn tiny(scene: Option<(String, Scene)>) -> Options {
 fn written(options: &Options) -> (tempfile::TempDir, Summary) {
     let folder = tempfile::tempdir().unwrap();
     let watch = Watch { doing: &|_| {}, cancel: None };
-    let summary = run(options, folder.path(), watch).unwrap();
+    let summary = run(options, folder.path(), &FileSet::new(), watch).unwrap();
     (folder, summary)
 }
 
@@ -134,7 +134,7 @@ fn nothing_is_written_when_it_is_cancelled() {
     let cancel = true.into();
     let watch = Watch { doing: &|_| {}, cancel: Some(&cancel) };
     let target = folder.path().join("out");
-    assert!(run(&tiny(None), &target, watch).is_err());
+    assert!(run(&tiny(None), &target, &FileSet::new(), watch).is_err());
     assert!(!target.exists());
 }
 

@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
+use brt_image::Transfer;
 use brt_scene::Scene;
 use thiserror::Error;
 
 use crate::methods::{
-    TileWorker, render_border, render_certified, render_full, render_item_buffer, render_pencil,
+    TileWorker, Tolerance, render_border, render_certified, render_full, render_item_buffer, render_pencil,
     render_pixel_selected, render_reference, render_scan_line, trace_row,
 };
 use crate::perspective::{Outline, Outlines, Painter};
@@ -60,6 +61,7 @@ pub fn render(
         grid: &grid,
         settings,
         max_depth: settings.max_depth.unwrap_or(scene.max_depth),
+        transfer: sink.transfer(),
         spheres: settings.method.needs_bounding_spheres().then(|| BoundingSpheres::new(&prepared)),
         outlines: settings.needs_perspective_image().then(|| Outlines::new(&prepared, &camera, &grid)),
     };
@@ -89,6 +91,8 @@ pub(crate) struct Job<'a> {
     pub(crate) grid: &'a SampleGrid,
     pub(crate) settings: &'a Settings,
     pub(crate) max_depth: u32,
+    /// How the sink stores colours.
+    pub(crate) transfer: Transfer,
     /// Only if a perspective image is made.
     pub(crate) outlines: Option<Outlines>,
     /// Only for methods that look for what a bundle of rays may meet.
@@ -149,7 +153,10 @@ fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Meth
         }
         Method::PixelSelected(settings) => render_pixel_selected(worker, tile, settings),
         Method::Border(settings) => render_border(worker, tile, settings),
-        Method::Certified(settings) => render_certified(worker, tile, job.scene, settings, job.max_depth),
+        Method::Certified(settings) => {
+            let tolerance = Tolerance::new(settings, job.transfer);
+            render_certified(worker, tile, job.scene, tolerance, job.max_depth);
+        }
     }
 }
 

@@ -8,9 +8,22 @@ use brt_render::{
 use brt_scene::{Scene, procedural};
 use brt_testkit::{
     AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_slivers, any_scene_of_solids,
-    render_at_levels, render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
+    render_stored_at_levels, render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,
 };
 use proptest::prelude::*;
+
+/// How far from full ray tracing a picture may be, and how it is stored.
+#[derive(Clone, Copy)]
+struct Promise {
+    tolerance: f64,
+    transfer: Transfer,
+}
+
+impl Default for Promise {
+    fn default() -> Self {
+        Self { tolerance: 1.0, transfer: Transfer::Srgb }
+    }
+}
 
 /// The greatest difference of any channel of a pixel in levels of 255 of stored values.
 fn error(picture: &Rendered, transfer: Transfer, i: usize) -> f64 {
@@ -22,10 +35,10 @@ fn error(picture: &Rendered, transfer: Transfer, i: usize) -> f64 {
     (0..3).map(|c| (stored(ours[c]) - stored(full[c])).abs()).fold(0.0, f64::max)
 }
 
-fn is_kept(picture: &Rendered, certified: CertifiedSettings, settings: &Settings, i: usize) -> bool {
+fn is_kept(picture: &Rendered, certified: Promise, settings: &Settings, i: usize) -> bool {
     let is_one_sample = (settings.samples, settings.filter) == (Samples::One, Filter::Box);
     let is_exact = is_one_sample && picture.state[i] != SampleState::Filled;
-    let CertifiedSettings { tolerance, transfer } = certified;
+    let Promise { tolerance, transfer } = certified;
     if is_exact || tolerance == 0.0 {
         return picture.colors[i] == picture.full[i];
     }
@@ -33,14 +46,14 @@ fn is_kept(picture: &Rendered, certified: CertifiedSettings, settings: &Settings
 }
 
 /// Renders a scene and checks every pixel.
-fn checked(scene: &Scene, certified: CertifiedSettings, settings: &Settings) -> Result<Rendered, String> {
+fn checked(scene: &Scene, certified: Promise, settings: &Settings) -> Result<Rendered, String> {
     let settings = Settings {
-        method: Method::Certified(certified),
+        method: Method::Certified(CertifiedSettings { tolerance: certified.tolerance }),
         layers: vec![Layer::State, Layer::Certificates],
         checked: CheckedPixels::All,
         ..settings.clone()
     };
-    let picture = render_at_levels(scene, &settings, &Run::default());
+    let picture = render_stored_at_levels(scene, &settings, &Run::default(), certified.transfer);
     let broken = |&i: &usize| !is_kept(&picture, certified, &settings, i);
     let Some(i) = (0..picture.colors.len()).find(broken) else { return Ok(picture) };
     let width = settings.size[0];
@@ -75,7 +88,7 @@ proptest! {
         filter in prop_oneof![Just(Filter::Box), Just(Filter::Gaussian)],
     ) {
         let settings = Settings { samples, filter, ..Settings::new([width, height]) };
-        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
+        let checked = checked(&scene, Promise { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
 }
@@ -90,7 +103,7 @@ proptest! {
         tolerance in 0.05..3.0,
         transfer in prop_oneof![Just(Transfer::Linear), Just(Transfer::Srgb)],
     ) {
-        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &Settings::new([width, 150]));
+        let checked = checked(&scene, Promise { tolerance, transfer }, &Settings::new([width, 150]));
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
 }
@@ -107,7 +120,7 @@ proptest! {
     ) {
         let settings = Settings { samples, ..Settings::new([width, 150]) };
         let transfer = Transfer::Linear;
-        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
+        let checked = checked(&scene, Promise { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
 }
@@ -123,7 +136,7 @@ proptest! {
     ) {
         let transfer = Transfer::Linear;
         let settings = Settings::new([2 * width + 1, 121]);
-        let checked = checked(&scene, CertifiedSettings { tolerance, transfer }, &settings);
+        let checked = checked(&scene, Promise { tolerance, transfer }, &settings);
         prop_assert!(checked.is_ok(), "{}", checked.unwrap_err());
     }
 }
@@ -132,7 +145,7 @@ proptest! {
 #[test]
 fn faces_are_filled_up_to_their_edges() {
     let scene = named("blocks");
-    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([1024, 1024])).unwrap();
+    let picture = checked(&scene, Promise::default(), &Settings::new([1024, 1024])).unwrap();
     assert!(filled_share(&picture) > 0.7, "{}", filled_share(&picture));
 }
 
@@ -140,7 +153,7 @@ fn faces_are_filled_up_to_their_edges() {
 #[test]
 fn smooth_meshes_are_filled_across_their_triangles() {
     let scene = named("torus");
-    let picture = checked(&scene, CertifiedSettings::default(), &Settings::new([1500, 1500])).unwrap();
+    let picture = checked(&scene, Promise::default(), &Settings::new([1500, 1500])).unwrap();
     assert!(filled_share(&picture) > 0.7, "{}", filled_share(&picture));
 }
 
@@ -150,7 +163,7 @@ fn seed_scenes_are_filled_within_the_tolerance_wherever_they_stand() {
         let scene = seed_scene(name);
         let far = brt_geometry::vec3(1e3, -1e3, 1e3);
         for moved in [scaled(&scene, 1e6), scaled(&scene, 1e-6), shifted(&scene, far), scene] {
-            let picture = checked(&moved, CertifiedSettings::default(), &Settings::new([300, 300])).unwrap();
+            let picture = checked(&moved, Promise::default(), &Settings::new([300, 300])).unwrap();
             assert!(filled_share(&picture) >= least, "{name}: {}", filled_share(&picture));
         }
     }
@@ -162,7 +175,7 @@ fn named_scenes_are_within_the_tolerance() {
         let scene = named(name);
         for (tolerance, transfer) in [(1.0, Transfer::Srgb), (0.25, Transfer::Linear), (0.0, Transfer::Srgb)]
         {
-            let certified = CertifiedSettings { tolerance, transfer };
+            let certified = Promise { tolerance, transfer };
             checked(&scene, certified, &Settings::new([160, 120])).unwrap();
         }
     }
@@ -173,7 +186,7 @@ fn named_scenes_are_within_the_tolerance() {
 fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
     let scene = named("adversary");
     let settings = || Settings { checked: CheckedPixels::All, ..Settings::new([512, 512]) };
-    let linear = CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear };
+    let linear = Promise { tolerance: 1.0, transfer: Transfer::Linear };
     let picture = checked(&scene, linear, &settings()).unwrap();
     assert!(filled_share(&picture) > 0.4, "{}", filled_share(&picture));
     let method = Method::Border(BorderSettings::default());
@@ -186,7 +199,7 @@ fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
 fn means_of_sixteen_samples_keep_the_tolerance() {
     for filter in [Filter::Box, Filter::Gaussian] {
         let settings = Settings { samples: Samples::Sixteen, filter, ..Settings::new([64, 48]) };
-        checked(&seed_scene("b"), CertifiedSettings::default(), &settings).unwrap();
+        checked(&seed_scene("b"), Promise::default(), &settings).unwrap();
     }
 }
 

@@ -4,13 +4,12 @@ use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, Transfer, rgb};
 use brt_render::{Certificate, CertifiedSettings, CheckedPixels, Method, Run, Settings};
 use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape, procedural};
-use brt_testkit::{Rendered, looking, render_at_every_level};
+use brt_testkit::{Rendered, looking, render_stored_at_every_level};
 
 fn certified(scene: &Scene) -> Rendered {
-    let settings = CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear };
-    let method = Method::Certified(settings);
+    let method = Method::Certified(CertifiedSettings { tolerance: 1.0 });
     let settings = Settings { method, checked: CheckedPixels::All, ..Settings::new([150, 150]) };
-    render_at_every_level(scene, &settings, &Run::default())
+    render_stored_at_every_level(scene, &settings, &Run::default(), Transfer::Linear)
 }
 
 /// How many samples differ from full ray tracing by more than a level.

@@ -15,7 +15,7 @@ fn differing(a: &[[f32; 3]], b: &[[f32; 3]]) -> usize {
 /// The picture by the oracle, after full and certified ray tracing gave the same.
 fn colors(scene: &Scene) -> Vec<[f32; 3]> {
     assert_eq!(scene.check(), []);
-    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() });
+    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0 });
     let [expected, full, certified] = [Method::Reference, Method::Full, exact]
         .map(|method| Settings { method, ..Settings::new([100, 100]) })
         .map(|settings| render_with_layers(scene, &settings, &Run::default()).colors);

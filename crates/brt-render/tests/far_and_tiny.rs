@@ -24,7 +24,7 @@ fn colors(scene: &Scene, method: Method, accelerator: Accelerator) -> Vec<[f32; 
 fn agreed(scene: &Scene, what: &str) -> Vec<[f32; 3]> {
     assert_eq!(scene.check(), [], "{what}");
     let expected = colors(scene, Method::Reference, Accelerator::None);
-    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() });
+    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0 });
     for method in [Method::Full, exact] {
         for accelerator in ACCELERATORS {
             let lost = differing(&colors(scene, method.clone(), accelerator), &expected);

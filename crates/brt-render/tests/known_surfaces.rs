@@ -11,7 +11,7 @@ use brt_testkit::{looking, render_at_every_level};
 /// The picture by full ray tracing, after the oracle and certified ray tracing without tolerance gave the same.
 fn colors(scene: &Scene, size: [u32; 2]) -> Vec<[f32; 3]> {
     assert_eq!(scene.check(), []);
-    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() });
+    let exact = Method::Certified(CertifiedSettings { tolerance: 0.0 });
     let [full, reference, certified] = [Method::Full, Method::Reference, exact]
         .map(|method| Settings { method, ..Settings::new(size) })
         .map(|settings| render_at_every_level(scene, &settings, &Run::default()).colors);

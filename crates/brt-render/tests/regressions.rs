@@ -123,7 +123,7 @@ fn a_floor_seen_along_itself_is_not_taken_to_be_clear_of_its_edges() {
         let material = scene.add_material(Material::matte(name, rgb(0.8, 0.8, 0.8)));
         scene.add(Shape::Polygon { outline, holes: Vec::new() }, material);
     }
-    let exact = CertifiedSettings { tolerance: 0.0, ..CertifiedSettings::default() };
+    let exact = CertifiedSettings { tolerance: 0.0 };
     let full = rendered(&scene, Method::Full, [64, 64]);
     assert_eq!(differing(&full, &rendered(&scene, Method::Certified(exact), [64, 64])), 0);
 }

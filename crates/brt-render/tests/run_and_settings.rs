@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use brt_image::Transfer;
 use brt_render::{
     BorderSettings, Filter, Layer, Method, PixelSelectedSettings, Progress, RayOrder, RenderError, Rows, Run,
     Samples, Settings, Sink, SinkError, Stats, TileOrder, render,
@@ -98,6 +99,10 @@ struct OnePortion<'a> {
 }
 
 impl Sink for OnePortion<'_> {
+    fn transfer(&self) -> Transfer {
+        Transfer::Srgb
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         if self.taken > 0 {
             return Err("the disc is full".into());

@@ -37,7 +37,7 @@ fn box_of_four_samples_is_the_mean_of_samples_that_share_no_column_and_no_row() 
         let mean: Vec<[f32; 3]> = (0..size[0] as usize * size[1] as usize)
             .map(|i| mean_of_four(&fine, 150, i % 150, i / 150))
             .collect();
-        let exact = CertifiedSettings { tolerance: 0.0, ..Default::default() };
+        let exact = CertifiedSettings { tolerance: 0.0 };
         for method in [Method::Full, Method::ScanLine, Method::Certified(exact)] {
             let settings = Settings { method, samples: Samples::Four, ..Settings::new(size) };
             let (coarse, _) = render_to_image(&scene, &settings, &Run::default());

@@ -9,7 +9,7 @@ use brt_render::{
 use brt_scene::Scene;
 use brt_testkit::{
     AnyScene, all_shapes, any_mesh_scene, any_scene, any_scene_of_solids, first_difference,
-    render_at_every_level, render_with_layers, replay_hint, seed_scene, seeded,
+    render_at_every_level, render_stored_at_every_level, render_with_layers, replay_hint, seed_scene, seeded,
 };
 use proptest::prelude::*;
 
@@ -17,7 +17,7 @@ const ACCELERATORS: [Accelerator; 4] =
     [Accelerator::None, Accelerator::Extents, Accelerator::Grid, Accelerator::Bvh];
 
 fn certified(tolerance: f64) -> Method {
-    Method::Certified(CertifiedSettings { tolerance, transfer: Transfer::Linear })
+    Method::Certified(CertifiedSettings { tolerance })
 }
 
 /// Compares `certified` with `full` for every accelerator at every level: the same bits without tolerance, within it else.
@@ -26,7 +26,7 @@ fn broken_promise(scene: &Scene, settings: &Settings, tolerance: f64) -> Option<
     let full = render_with_layers(scene, &full, &Run { simd: SimdLevel::Baseline, ..Run::default() });
     for accelerator in ACCELERATORS {
         let settings = Settings { method: certified(tolerance), accelerator, ..settings.clone() };
-        let picture = render_at_every_level(scene, &settings, &Run::default());
+        let picture = render_stored_at_every_level(scene, &settings, &Run::default(), Transfer::Linear);
         let allowed = tolerance / 255.0;
         let is_kept = |a: f32, b: f32| a == b || (f64::from(a) - f64::from(b)).abs() <= allowed;
         let kept: Vec<_> = picture

@@ -13,11 +13,14 @@ mod stages;
 mod strategies;
 
 pub use golden::{Golden, GoldenError};
-pub use levels::{render_at_every_level, render_at_levels};
+pub use levels::{
+    render_at_every_level, render_at_levels, render_stored_at_every_level, render_stored_at_levels,
+};
 pub use moves::{scaled, shifted};
 pub use named::{all_shapes, looking, seed_scene};
 pub use pictures::{
-    Difference, Rendered, SameBits, first_difference, render_to_image, render_with_layers, replay_hint,
+    Difference, Rendered, SameBits, first_difference, render_stored, render_to_image, render_with_layers,
+    replay_hint,
 };
 pub use random::Random;
 pub use stages::{Stage, stage_colors};

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use brt_formats::write_toml;
-use brt_render::{Certificate, LayerRows, RayHistory, Rows, Run, SampleState, Settings, Stats, render};
+use brt_image::Transfer;
+use brt_render::{Certificate, KeptRows, LayerRows, RayHistory, Run, SampleState, Settings, Stats, render};
 use brt_scene::Scene;
 
 /// A picture with the layers that were asked for; the others are empty.
@@ -41,19 +42,27 @@ pub fn render_to_image(scene: &Scene, settings: &Settings, run: &Run) -> (Vec<[f
     (rendered.colors, rendered.stats)
 }
 
-/// Renders a picture with its layers.
+/// Renders a picture with its layers, to be stored as sRGB.
+///
+/// # Panics
+/// See [`render_stored`].
+pub fn render_with_layers(scene: &Scene, settings: &Settings, run: &Run) -> Rendered {
+    render_stored(scene, settings, run, Transfer::Srgb)
+}
+
+/// Renders a picture with its layers, to be stored with a transfer function.
 ///
 /// # Panics
 /// If the renderer fails, or rows come out of order, twice or not at all.
-pub fn render_with_layers(scene: &Scene, settings: &Settings, run: &Run) -> Rendered {
-    let mut parts: Vec<Rows> = Vec::new();
-    let stats = match render(scene, settings, run, &mut parts) {
+pub fn render_stored(scene: &Scene, settings: &Settings, run: &Run, transfer: Transfer) -> Rendered {
+    let mut kept = KeptRows::new(transfer);
+    let stats = match render(scene, settings, run, &mut kept) {
         Ok(stats) => stats,
         Err(error) => panic!("no picture: {error}"),
     };
     let mut picture = Rendered { size: settings.size, stats, ..Rendered::default() };
     let mut next = 0;
-    for rows in parts {
+    for rows in kept.rows {
         assert_eq!(rows.first, next, "rows out of order");
         assert_eq!(rows.width, settings.size[0]);
         next += rows.count();

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use brt_image::{Channels, EncodeError, Encoding, PictureFormat, PictureSize, Target};
+use brt_image::{Channels, EncodeError, Encoding, FileSet, PictureFormat, PictureSize, Target};
 use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
 use brt_scene::Scene;
 use thiserror::Error;
@@ -112,12 +112,30 @@ impl From<RenderError> for RenderFilesError {
 
 /// Renders a scene that passed [`Scene::check`] to a picture and its layers.
 ///
-/// `settings.layers` need not be given: they follow from the output's. So do the output's channels from the backdrop. Files appear when the picture is complete; if
-/// anything fails, those that existed before are as they were.
+/// `settings.layers` need not be given: they follow from the output's. So do the output's channels from the backdrop.
+/// Files appear when all are complete; if anything fails, those that existed before are as they were.
 ///
 /// # Errors
 /// If a file cannot be written, or see [`render`].
 pub fn render_to_files(
+    scene: &Scene,
+    settings: &Settings,
+    run: &Run,
+    output: &Output,
+) -> Result<Rendered, RenderFilesError> {
+    let set = FileSet::new();
+    let rendered = render_into(&set, scene, settings, run, output)?;
+    set.commit().map_err(EncodeError::Io)?;
+    Ok(rendered)
+}
+
+/// The same for files that appear with those that the set holds already, and with those it gets later: when it is
+/// [committed](FileSet::commit).
+///
+/// # Errors
+/// See [`render_to_files`].
+pub fn render_into(
+    set: &FileSet,
     scene: &Scene,
     settings: &Settings,
     run: &Run,
@@ -129,7 +147,7 @@ pub fn render_to_files(
     let size = PictureSize::new(settings.size[0], settings.size[1]);
     let painter = LayerPainter::new(scene, encoding);
     let measure = (settings.checked != CheckedPixels::None).then(|| ErrorMeasure::new(encoding, &settings));
-    let mut files = PictureFiles::open(output, size, painter, measure)?;
+    let mut files = PictureFiles::open(output, set, size, painter, measure)?;
     let mut stats = render(scene, &settings, run, &mut files)?;
     let beside = files.seconds();
     stats.seconds.render -= beside;

@@ -51,7 +51,7 @@ pub mod library;
 mod measure;
 mod picture_files;
 
-pub use files::{Output, OutputError, RenderFilesError, Rendered, render_to_files};
+pub use files::{Output, OutputError, RenderFilesError, Rendered, render_into, render_to_files};
 pub use layers::PictureLayer;
 pub use measure::Verification;
 
@@ -68,14 +68,14 @@ pub use brt_formats::{
 };
 pub use brt_geometry::{SimdLevel, Vec3, vec3};
 pub use brt_image::{
-    BitDepth, Channels, Comparison, Compression, Encoding, PictureFormat, PictureSize, Rgb, Target, Transfer,
-    rgb,
+    BitDepth, Channels, Comparison, Compression, Encoding, FileSet, PictureFormat, PictureSize, Rgb, Target,
+    Transfer, rgb,
 };
 pub use brt_render::{
     Accelerator, Backdrop, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
-    DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, Layer, LayerRows, Method, PencilSettings,
-    PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run, SampleState,
-    Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
+    DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, KeptRows, Layer, LayerRows, Method,
+    PencilSettings, PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run,
+    SampleState, Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
 };
 pub use brt_scene::{
     Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use brt_image::{
-    BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, PictureFormat, PictureSize, Target,
-    WorkClock, encoder,
+    BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureSize,
+    Target, Transfer, WorkClock, encoder,
 };
 use brt_render::{Rows, Sink, SinkError};
 
@@ -18,6 +18,8 @@ use crate::measure::{ErrorMeasure, Verification};
 /// All of it happens on the threads that render, while others render on.
 pub(crate) struct PictureFiles {
     files: Option<OpenFiles>,
+    /// That of the stored picture.
+    transfer: Transfer,
     painter: LayerPainter,
     measure: Option<ErrorMeasure>,
     /// Of measuring and painting.
@@ -30,15 +32,18 @@ impl PictureFiles {
     /// Opens every file, so that what cannot be written is known before the rendering.
     pub(crate) fn open(
         output: &Output,
+        set: &FileSet,
         size: PictureSize,
         painter: LayerPainter,
         measure: Option<ErrorMeasure>,
     ) -> Result<Self, EncodeError> {
-        let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, size)).transpose()?;
-        Ok(Self { files, painter, measure, clock: WorkClock::default(), threads: 1 })
+        let files =
+            output.target.as_ref().map(|target| OpenFiles::open(output, target, set, size)).transpose()?;
+        let transfer = output.encoding.effective_transfer();
+        Ok(Self { files, transfer, painter, measure, clock: WorkClock::default(), threads: 1 })
     }
 
-    /// Puts all files in place. Returns the measured error.
+    /// Completes all files, for their set to put in place. Returns the measured error.
     pub(crate) fn finish(self) -> Result<Option<Verification>, EncodeError> {
         if let Some(files) = self.files {
             files.finish()?;
@@ -54,6 +59,10 @@ impl PictureFiles {
 }
 
 impl Sink for PictureFiles {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         self.threads = rayon::current_num_threads();
         let Self { files, painter, measure, clock, .. } = self;
@@ -76,18 +85,18 @@ enum OpenFiles {
 }
 
 impl OpenFiles {
-    fn open(output: &Output, target: &Target, size: PictureSize) -> Result<Self, EncodeError> {
+    fn open(output: &Output, target: &Target, set: &FileSet, size: PictureSize) -> Result<Self, EncodeError> {
         let Output { encoding, layers, .. } = output;
         if encoding.format == PictureFormat::Exr {
             let names = layers.iter().flat_map(|layer| layer.channels()).copied();
             let names = ExrLayers::beside(encoding.channels, names);
-            let encoder = ExrEncoder::new(target.open()?, size, &names)?;
+            let encoder = ExrEncoder::new(set.open(target)?, size, &names)?;
             return Ok(Self::Exr { encoder: Box::new(encoder), layers: layers.clone() });
         }
-        let picture = encoder(target.open()?, size, *encoding)?;
+        let picture = encoder(set.open(target)?, size, *encoding)?;
         let open = |&layer: &PictureLayer| {
             let encoding = Encoding { transfer: layer.transfer(), channels: Channels::Rgb, ..*encoding };
-            Ok((layer, encoder(layer_target(target, layer).open()?, size, encoding)?))
+            Ok((layer, encoder(set.open(&layer_target(target, layer))?, size, encoding)?))
         };
         let layers = layers.iter().map(open).collect::<Result<_, EncodeError>>()?;
         Ok(Self::Separate { picture, layers })
@@ -123,7 +132,7 @@ impl OpenFiles {
         }
     }
 
-    /// The picture comes last: where it is new, its layers are.
+    /// The picture comes last: where only some can be put in place, it is not among them.
     fn finish(self) -> Result<(), EncodeError> {
         match self {
             Self::Exr { encoder, .. } => encoder.finish(),

@@ -3,10 +3,11 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::image::{self, PictureLimits, decode_picture, heat_map, read_picture};
-use brt::{Comparison, Encoding, Output};
+use brt::image::{self, PictureLimits, Sink, decode_picture, heat_rows, read_picture};
+use brt::{Comparison, Encoding, Output, Target};
 use clap::Args;
 
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::json::{self, ComparisonJson};
 use crate::output;
@@ -37,34 +38,30 @@ pub(crate) struct Options {
 }
 
 /// Compares two pictures. Alpha counts as a fourth channel.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     if is_dash(&options.reference) && is_dash(&options.test) {
         return Err(wrong_use("standard input holds one picture, expected a file for the other"));
     }
-    let heat_output = options.heat_map.as_deref().map(|path| heat_output(options, path)).transpose()?;
+    let map = options.heat_map.as_deref().map(|path| HeatMap::open(options, path, context)).transpose()?;
     let limits = PictureLimits { pixels: options.max_pixels };
     let reference = read(&options.reference, limits)?;
     let test = read(&options.test, limits)?;
     let comparison = image::compare(&reference, &test)?;
-    if let Some(output) = heat_output {
-        let map = heat_map(&reference, &test)?;
-        if let Some(target) = output.target {
-            let mut encoder = image::encoder(target.open()?, map.size(), output.encoding)?;
-            encoder.write(map.pixels())?;
-            encoder.finish()?;
-        }
+    if let Some(map) = map {
+        map.write(&reference, &test)?;
+        context.files.commit()?;
     }
     if let Some(path) = only_one_without_alpha(options, &reference, &test) {
         output::note(&format!("{} has no alpha: compared as if it were opaque", path.display()));
     }
     if options.json {
-        output::line(&json::text(&ComparisonJson::from(&comparison))?);
+        output::line(&json::text(&ComparisonJson::from(&comparison))?)?;
     } else {
-        output::line(&describe(&comparison));
+        output::line(&describe(&comparison))?;
         if comparison.max_error == 1.0 && [&reference, &test].into_iter().all(has_whole_levels) {
             output::line(
                 "one level is what rounding to 8 bits alone may make: the unrounded pictures may be closer",
-            );
+            )?;
         }
     }
     let over = options.max_error.is_some_and(|limit| comparison.max_error > limit);
@@ -94,13 +91,30 @@ fn only_one_without_alpha<'o>(
     }
 }
 
-/// Where the heat map goes; not over one of the pictures.
-fn heat_output(options: &Options, path: &Path) -> Result<Output, Failure> {
-    let output = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
-    for picture in [&options.reference, &options.test] {
-        check_distinct(picture, &[path.to_owned()])?;
+/// A picture of the differences that is to be written.
+struct HeatMap {
+    file: Box<dyn Sink>,
+    encoding: Encoding,
+}
+
+impl HeatMap {
+    /// Opens the file, not over one of the pictures, before these are read, which may take long.
+    fn open(options: &Options, path: &Path, context: &Context) -> Result<Self, Failure> {
+        let Output { encoding, .. } = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
+        for picture in [&options.reference, &options.test] {
+            check_distinct(picture, &[path.to_owned()])?;
+        }
+        Ok(Self { file: context.files.open(&Target::File(path.to_owned()))?, encoding })
     }
-    Ok(Output { encoding: Encoding { format: output.encoding.format, ..Encoding::default() }, ..output })
+
+    /// Row by row: the pictures take enough memory.
+    fn write(self, reference: &image::Picture, test: &image::Picture) -> Result<(), Failure> {
+        let mut encoder = image::encoder(self.file, reference.size(), self.encoding)?;
+        for row in heat_rows(reference, test)? {
+            encoder.write(&row)?;
+        }
+        Ok(encoder.finish()?)
+    }
 }
 
 fn describe(c: &Comparison) -> String {

@@ -6,6 +6,7 @@ use brt::{Format, write, write_beside};
 use clap::Args;
 
 use crate::commands::scene_files;
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::framing::frame;
 use crate::scene_input::{self, InputOptions, check_distinct, is_dash};
@@ -33,7 +34,7 @@ pub(crate) struct Options {
 }
 
 /// Converts a scene.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let Options { input: from, output: path, size, reading } = options;
     let format = written_format(path)?;
     check_distinct(from, std::slice::from_ref(path))?;
@@ -46,7 +47,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     }
     let written =
         if is_dash(path) { write(format, &input.scene) } else { write_beside(format, &input.scene, path) }?;
-    scene_files::put(from, path, &written)?;
+    scene_files::put(from, path, &written, &context.files)?;
     let report = written.report;
     if !report.diagnostics.is_empty() {
         output::drawn(&diagnostics::draw(&report, &path.display().to_string(), ""));

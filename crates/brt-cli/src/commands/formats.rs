@@ -8,22 +8,22 @@ use crate::output;
 
 /// Lists the formats.
 pub(crate) fn run() -> Result<Outcome, Failure> {
-    output::line("scenes");
+    output::line("scenes")?;
     for format in Format::ALL {
         let extensions = format.extensions().join(", .");
-        output::line(&row(&format!(".{extensions}"), abilities(format), format.name()));
+        output::line(&row(&format!(".{extensions}"), abilities(format), format.name()))?;
     }
-    output::line("\nknown, but not read yet");
+    output::line("\nknown, but not read yet")?;
     for foreign in Foreign::ALL {
-        output::line(&format!("  {:<21} {}", foreign.name, foreign.advice));
+        output::line(&format!("  {:<21} {}", foreign.name, foreign.advice))?;
     }
-    output::line("\npictures");
+    output::line("\npictures")?;
     for (format, name) in [
         (PictureFormat::Png, "Portable Network Graphics, 8 or 16 bits"),
         (PictureFormat::Ppm, "portable pixmap, 8 or 16 bits"),
         (PictureFormat::Exr, "OpenEXR, 32-bit floats, layers inside"),
     ] {
-        output::line(&row(&format!(".{}", format.extension()), "read, write", name));
+        output::line(&row(&format!(".{}", format.extension()), "read, write", name))?;
     }
     Ok(Outcome::Done)
 }

@@ -72,10 +72,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let input = scene_input::read(&options.scene, &options.reading, u64::MAX)?;
     let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
     if options.json {
-        output::line(&json::text(&inspection)?);
+        output::line(&json::text(&inspection)?)?;
     } else {
         input.show_warnings();
-        output::line(&inspection.text());
+        output::line(&inspection.text())?;
     }
     Ok(Outcome::Done)
 }

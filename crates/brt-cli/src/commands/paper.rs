@@ -6,9 +6,10 @@ use brt_lab::paper::{self, PaperError, Watch};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::context::Context;
 use crate::exit::{Failure, Outcome};
+use crate::output;
 use crate::scene_input::{self, InputOptions};
-use crate::{interrupt, output};
 
 /// Sizes beyond this cost hours.
 const GREATEST_SIZE: u32 = 16_384;
@@ -38,7 +39,7 @@ pub(crate) struct Options {
 }
 
 /// Measures, and writes the page.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let scene = options.scene.as_deref().map(|path| own_scene(options, path)).transpose()?;
     let sizes: &[u32] = if options.quick { &paper::Options::QUICK_SIZES } else { &paper::Options::SIZES };
     let repeat = if options.quick { 1 } else { paper::Options::REPEAT };
@@ -54,15 +55,15 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
             spinner.set_message(what.to_owned());
         }
     };
-    let watch = Watch { doing: &doing, cancel: Some(interrupt::listen()) };
-    let summary = paper::run(&experiments, &options.output, watch).map_err(failure)?;
+    let watch = Watch { doing: &doing, cancel: Some(context.interrupt.flag()) };
+    let summary = paper::run(&experiments, &options.output, &context.files, watch).map_err(failure)?;
     if let Some(spinner) = &spinner {
         spinner.finish_and_clear();
     }
     for (claim, verdict) in &summary.verdicts {
-        output::line(&format!("{claim:<4} {verdict}"));
+        output::line(&format!("{claim:<4} {verdict}"))?;
     }
-    output::line(&format!("{}", summary.page.display()));
+    output::line(&format!("{}", summary.page.display()))?;
     Ok(Outcome::Done)
 }
 

@@ -1,16 +1,17 @@
 //! `brt peers`: the same scenes through other ray tracers, side by side with ours.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use brt::{Scene, library};
 use brt_lab::peers::{self, PeersError, Recording, Watch};
 use clap::Args;
 
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
-use crate::scene_input::{self, InputOptions};
-use crate::{interrupt, output};
+use crate::output;
+use crate::scene_input::{self, InputOptions, check_distinct};
 
 /// Pixels that a scene file may ask for; only its proportions are used here.
 const MAX_PIXELS: u64 = 1 << 32;
@@ -49,7 +50,7 @@ pub(crate) struct Options {
 }
 
 /// Measures, and writes the page.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let measured = peers::Options {
         scenes: scenes(options)?,
         sizes: options.sizes.clone(),
@@ -65,13 +66,13 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
             output::note(what);
         }
     };
-    let watch = Watch { doing: &doing, cancel: Some(interrupt::listen()) };
-    let summary = peers::run(&measured, &options.output, watch).map_err(failure)?;
+    let watch = Watch { doing: &doing, cancel: Some(context.interrupt.flag()) };
+    let summary = peers::run(&measured, &options.output, &context.files, watch).map_err(failure)?;
     for note in &summary.notes {
         output::note(&format!("note: {note}"));
     }
-    output::line(&summary.table);
-    output::line(&summary.page.display().to_string());
+    output::line(&summary.table)?;
+    output::line(&summary.page.display().to_string())?;
     Ok(Outcome::Done)
 }
 
@@ -83,6 +84,7 @@ fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
         let scene = match named {
             Some(named) => named.build(None)?,
             None => {
+                check_spared(options, path)?;
                 let input = scene_input::read(path, &options.reading, MAX_PIXELS)?;
                 input.show_warnings();
                 input.scene
@@ -95,6 +97,13 @@ fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
         scenes.push((name, scene));
     }
     Ok(scenes)
+}
+
+/// Refuses scenes that would be replaced by what the peers read.
+fn check_spared(options: &Options, scene: &Path) -> Result<(), Failure> {
+    let copy = scene.with_extension("toml");
+    let outputs: Vec<PathBuf> = copy.file_name().map(|name| options.output.join(name)).into_iter().collect();
+    check_distinct(scene, &outputs)
 }
 
 /// Text on one line.

@@ -6,7 +6,8 @@ use brt::{library, write_toml};
 use clap::Args;
 
 use super::convert::check_toml_name;
-use crate::commands::text_file::TextFile;
+use crate::commands::text_file;
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
 
@@ -25,24 +26,25 @@ pub(crate) struct Options {
 }
 
 /// Writes a scene, or lists all.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let Some(name) = &options.name else {
-        list();
-        return Ok(Outcome::Done);
+        return list();
     };
     let unknown = || wrong_use(format!("no scene is named `{name}`; `brt scene` lists those there are"));
     let scene = library::find(name).ok_or_else(unknown)?;
     check_toml_name(&options.output)?;
     let built = scene.build(options.size).map_err(|error| wrong_use(error.to_string()))?;
-    TextFile::open(&options.output)?.write(&write_toml(&built))?;
+    text_file::write(text_file::open(&options.output, &context.files)?, &write_toml(&built))?;
+    context.files.commit()?;
     Ok(Outcome::Done)
 }
 
-fn list() {
+fn list() -> Result<Outcome, Failure> {
     for scene in library::all() {
-        output::line(&format!("{:<13} {}", scene.name, scene.summary));
+        output::line(&format!("{:<13} {}", scene.name, scene.summary))?;
         if let Some((meaning, default)) = scene.size() {
-            output::line(&format!("{:<13} --size {default}: {meaning}", ""));
+            output::line(&format!("{:<13} --size {default}: {meaning}", ""))?;
         }
     }
+    Ok(Outcome::Done)
 }

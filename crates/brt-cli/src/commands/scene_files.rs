@@ -3,14 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use brt::image::Sink;
-use brt::{FileBeside, Target, Written};
+use brt::{FileBeside, FileSet, Written};
 
+use crate::commands::text_file;
 use crate::exit::Failure;
-use crate::scene_input::{check_distinct, is_dash};
+use crate::scene_input::check_distinct;
 
 /// Writes a scene that was read from `input` to `path`, and its files beside it.
-pub(super) fn put(input: &Path, path: &Path, written: &Written) -> Result<(), Failure> {
+pub(super) fn put(input: &Path, path: &Path, written: &Written, files: &FileSet) -> Result<(), Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let beside: Vec<PathBuf> = written.files.iter().map(|file| folder.join(&file.name)).collect();
     let all: Vec<PathBuf> = beside.iter().cloned().chain([path.to_owned()]).collect();
@@ -20,14 +20,12 @@ pub(super) fn put(input: &Path, path: &Path, written: &Written) -> Result<(), Fa
         check_ours(path, file, &earlier)?;
     }
     let contents = written.files.iter().map(|file| file.bytes.as_slice()).chain([written.text.as_bytes()]);
-    let mut files = Vec::new();
     for (path, content) in all.iter().zip(contents) {
-        let target = if is_dash(path) { Target::Stdout } else { Target::File(path.clone()) };
-        let mut file = target.open()?;
+        let mut file = text_file::open(path, files)?;
         file.write_all(content)?;
-        files.push(file);
+        file.commit()?;
     }
-    commit(&all, files)
+    Ok(files.commit()?)
 }
 
 /// The scene that a file of this path holds now; nothing where there is none.
@@ -48,23 +46,4 @@ fn check_ours(path: &Path, file: &FileBeside, earlier: &str) -> Result<(), Failu
         error: anyhow::anyhow!("{}: another file is there, and would be overwritten", path.display()),
         hint: Some("move it away, or write the scene under another name".to_owned()),
     })
-}
-
-/// Puts files in place, the scene last. If one fails, those that are new are taken back.
-fn commit(paths: &[PathBuf], files: Vec<Box<dyn Sink>>) -> Result<(), Failure> {
-    let mut new: Vec<&PathBuf> = Vec::new();
-    for (path, file) in paths.iter().zip(files) {
-        let was_there = path.exists();
-        if let Err(error) = file.commit() {
-            for path in new {
-                // It was not there before; if it cannot be removed, the error below is still the one to tell.
-                let _ = fs::remove_file(path);
-            }
-            return Err(error.into());
-        }
-        if !was_there {
-            new.push(path);
-        }
-    }
-    Ok(())
 }

@@ -1,11 +1,10 @@
 //! `brt completions` and `brt man`: what shells and `man` want to know, made from the command line's own definition.
 
-use std::io::{self, Write};
-
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
 use crate::exit::{Failure, Outcome};
+use crate::output;
 
 /// Options of `brt completions`.
 #[derive(Debug, Args)]
@@ -33,8 +32,7 @@ pub(crate) fn man(mut command: Command) -> Result<Outcome, Failure> {
     print(&page)
 }
 
-/// A reader that went away is no error.
 fn print(bytes: &[u8]) -> Result<Outcome, Failure> {
-    let _ = io::stdout().lock().write_all(bytes);
+    output::bytes(bytes)?;
     Ok(Outcome::Done)
 }

@@ -2,24 +2,36 @@
 
 use std::path::Path;
 
-use brt::{Target, image::Sink};
+use brt::image::Sink;
+use brt::{FileSet, Target};
 
 use crate::exit::Failure;
+use crate::output;
 use crate::scene_input::is_dash;
 
-/// A text file that is open, so that what cannot be written is known before the work is done.
-pub(crate) struct TextFile(Box<dyn Sink>);
-
-impl TextFile {
-    /// Opens a file, or standard output if it is named `-`.
-    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
-        let target = if is_dash(path) { Target::Stdout } else { Target::File(path.to_owned()) };
-        Ok(Self(target.open()?))
+/// Opens a file of a set, or standard output if it is named `-`, so that what cannot be written is known before the work
+/// is done.
+pub(crate) fn open(path: &Path, files: &FileSet) -> Result<Box<dyn Sink>, Failure> {
+    if !is_dash(path) {
+        return Ok(files.open(&Target::File(path.to_owned()))?);
     }
+    check_stdout()?;
+    Ok(files.open(&Target::Stdout)?)
+}
 
-    /// Writes all of it and puts it in place.
-    pub(crate) fn write(mut self, text: &str) -> Result<(), Failure> {
-        self.0.write_all(text.as_bytes())?;
-        Ok(self.0.commit()?)
+/// Refuses to write to a standard output that is not there.
+pub(crate) fn check_stdout() -> Result<(), Failure> {
+    if output::is_closed() {
+        return Err(Failure::CouldNot {
+            error: anyhow::anyhow!("cannot write standard output: it is closed"),
+            hint: Some("to throw it away, `> /dev/null`".to_owned()),
+        });
     }
+    Ok(())
+}
+
+/// Writes all of a file and completes it.
+pub(crate) fn write(mut file: Box<dyn Sink>, text: &str) -> Result<(), Failure> {
+    file.write_all(text.as_bytes())?;
+    Ok(file.commit()?)
 }

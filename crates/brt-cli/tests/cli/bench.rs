@@ -3,7 +3,8 @@
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
@@ -70,6 +71,16 @@ impl Bench {
         let mut names: Vec<_> = fs::read_dir(self.0.path()).unwrap().map(|e| name(e.unwrap())).collect();
         names.sort();
         names
+    }
+
+    /// Waits until a command has begun so many files that there are this many in the folder.
+    pub(crate) fn wait_for_files(&self, count: usize, child: &mut Child) {
+        let begin = Instant::now();
+        while self.files().len() < count {
+            assert!(begin.elapsed() < Duration::from_secs(60), "{:?}", self.files());
+            assert!(child.try_wait().unwrap().is_none(), "it ended too early");
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
 
     /// The command with arguments separated by blanks, in the folder.

@@ -107,7 +107,7 @@ fn alpha_is_read_back_and_bands_change_no_byte() {
         assert!(picture.has_alpha());
         for (i, &alpha) in alphas.iter().enumerate() {
             let expected = match (encoding.format, encoding.depth) {
-                (PictureFormat::Exr, _) => f64::from(alpha * 65535.0) / 257.0,
+                (PictureFormat::Exr, _) => f64::from(alpha) * 65535.0 / 257.0,
                 (_, BitDepth::Eight) => f64::from(code(alpha.into(), encoding)),
                 (_, BitDepth::Sixteen) => f64::from(code(alpha.into(), encoding)) / 257.0,
             };

@@ -11,23 +11,20 @@ use exr::prelude::{ReadChannels, ReadLayers, read as read_exr};
 use super::error::DecodeProblem;
 use super::read::PictureLimits;
 use crate::PictureSize;
-use crate::picture::{Picture, Samples};
+use crate::picture::{Picture, PixelKind, Samples};
 
 /// The pixels while they come.
 struct Pixels {
     width: usize,
-    values: Vec<[f32; 3]>,
-    /// In steps.
-    alpha: Option<Vec<f32>>,
+    kind: PixelKind,
+    values: Vec<f32>,
 }
 
 impl Pixels {
     fn set(&mut self, at: Vec2<usize>, (r, g, b, a): (f32, f32, f32, f32)) {
-        let index = at.y() * self.width + at.x();
-        self.values[index] = [r, g, b];
-        if let Some(alpha) = &mut self.alpha {
-            alpha[index] = a * 65535.0;
-        }
+        let channels = self.kind.channels();
+        let first = (at.y() * self.width + at.x()) * channels;
+        self.values[first..first + channels].copy_from_slice(&[r, g, b, a][..channels]);
     }
 }
 
@@ -56,10 +53,9 @@ fn read_unguarded<R: BufRead + Seek>(
         .no_deep_data()
         .largest_resolution_level()
         .rgba_channels(
-            |size, (_, _, _, alpha)| Pixels {
-                width: size.width(),
-                values: vec![[0.0; 3]; size.area()],
-                alpha: alpha.as_ref().map(|_| vec![0.0; size.area()]),
+            |size, (_, _, _, alpha)| {
+                let kind = if alpha.is_some() { PixelKind::Rgba } else { PixelKind::Rgb };
+                Pixels { width: size.width(), kind, values: vec![0.0; size.area() * kind.channels()] }
             },
             Pixels::set,
         )
@@ -69,8 +65,8 @@ fn read_unguarded<R: BufRead + Seek>(
         .from_buffered(&mut *source)
         .map_err(problem)?;
     let size = picture_size(image.layer_data.size)?;
-    let Pixels { values, alpha, .. } = image.layer_data.channel_data.pixels;
-    Ok(Picture::new(size, Samples::Float(values)).with_alpha(alpha))
+    let Pixels { kind, values, .. } = image.layer_data.channel_data.pixels;
+    Ok(Picture::new(size, kind, Samples::Float(values)))
 }
 
 fn picture_size(size: Vec2<usize>) -> Result<PictureSize, DecodeProblem> {

@@ -2,12 +2,12 @@
 
 use std::io::{BufRead, Seek};
 
-use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, OutputInfo, Transformations};
+use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Transformations};
 
 use super::error::DecodeProblem;
 use super::read::PictureLimits;
 use crate::PictureSize;
-use crate::picture::{Picture, Samples};
+use crate::picture::{Picture, PixelKind, Samples};
 
 /// Memory the library may take beside the pixels: rows, tables and text.
 const SPARE_BYTES: usize = 1 << 26;
@@ -28,43 +28,17 @@ pub(crate) fn read<R: BufRead + Seek>(source: R, limits: PictureLimits) -> Resul
     if (frame.width, frame.height) != (width, height) {
         return Err(DecodeProblem::malformed("PNG", "the first frame is not the whole picture"));
     }
-    let channels = frame.color_type.samples();
-    let bytes = &pixels[..frame.buffer_size()];
-    let samples = samples(bytes, &frame, channels)?;
-    Ok(Picture::new(size, samples).with_alpha(alpha(bytes, &frame, channels)))
-}
-
-/// The last of two or four channels, in steps.
-fn alpha(bytes: &[u8], frame: &OutputInfo, channels: usize) -> Option<Vec<f32>> {
-    if !channels.is_multiple_of(2) {
-        return None;
-    }
-    if frame.bit_depth == BitDepth::Sixteen {
-        let last = |p: &[u8]| f32::from(u16::from_be_bytes([p[2 * channels - 2], p[2 * channels - 1]]));
-        return Some(bytes.chunks_exact(2 * channels).map(last).collect());
-    }
-    let last = |p: &[u8]| f32::from(u16::from(p[channels - 1]) * 257);
-    Some(bytes.chunks_exact(channels).map(last).collect())
-}
-
-fn samples(bytes: &[u8], frame: &OutputInfo, channels: usize) -> Result<Samples, DecodeProblem> {
-    if frame.color_type == ColorType::Indexed {
+    pixels.truncate(frame.buffer_size());
+    let kind = PixelKind::of_channels(frame.color_type.samples());
+    let Some(kind) = kind.filter(|_| frame.color_type != ColorType::Indexed) else {
         return Err(DecodeProblem::malformed("PNG", "the palette was not expanded"));
-    }
-    match frame.bit_depth {
-        BitDepth::Eight => {
-            let pixel = |p: &[u8]| if channels < 3 { [p[0]; 3] } else { [p[0], p[1], p[2]] };
-            Ok(Samples::Eight(bytes.chunks_exact(channels).map(pixel).collect()))
-        }
-        BitDepth::Sixteen => {
-            let value = |p: &[u8], i: usize| u16::from_be_bytes([p[2 * i], p[2 * i + 1]]);
-            let pixel = |p: &[u8]| {
-                if channels < 3 { [value(p, 0); 3] } else { [value(p, 0), value(p, 1), value(p, 2)] }
-            };
-            Ok(Samples::Sixteen(bytes.chunks_exact(2 * channels).map(pixel).collect()))
-        }
-        depth => Err(DecodeProblem::malformed("PNG", format!("depth {depth:?} was not expanded"))),
-    }
+    };
+    let samples = match frame.bit_depth {
+        BitDepth::Eight => Samples::Eight(pixels),
+        BitDepth::Sixteen => Samples::Sixteen(pixels),
+        depth => return Err(DecodeProblem::malformed("PNG", format!("depth {depth:?} was not expanded"))),
+    };
+    Ok(Picture::new(size, kind, samples))
 }
 
 fn problem(error: DecodingError) -> DecodeProblem {

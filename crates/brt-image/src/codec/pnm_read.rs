@@ -5,7 +5,7 @@ use std::io::BufRead;
 use super::error::DecodeProblem;
 use super::read::{PictureLimits, read_bytes};
 use crate::PictureSize;
-use crate::picture::{Picture, Samples};
+use crate::picture::{Picture, PixelKind, Samples};
 
 /// Reads a picture.
 pub(crate) fn read(mut source: impl BufRead, limits: PictureLimits) -> Result<Picture, DecodeProblem> {
@@ -21,25 +21,20 @@ pub(crate) fn read(mut source: impl BufRead, limits: PictureLimits) -> Result<Pi
     let bytes = pixels.checked_mul(channels * value_bytes);
     let bytes = bytes.ok_or(DecodeProblem::LimitExceeded { size, limit: limits.pixels })?;
     let bytes = read_bytes(&mut source, bytes)?;
-    Ok(Picture::new(size, samples(&bytes, channels, max)))
+    let kind = if channels == 3 { PixelKind::Rgb } else { PixelKind::Grey };
+    Ok(Picture::new(size, kind, samples(bytes, max)))
 }
 
-fn samples(bytes: &[u8], channels: usize, max: u32) -> Samples {
-    let rgb_8 = |p: &[u8]| [p[0], p[channels / 2], p[channels - 1]];
-    let value = |p: &[u8], i: usize| u16::from_be_bytes([p[2 * i], p[2 * i + 1]]);
-    let rgb_16 = |p: &[u8]| [0, channels / 2, channels - 1].map(|i| value(p, i));
+fn samples(bytes: Vec<u8>, max: u32) -> Samples {
     // Values above the largest are damage, but harmless: they count as the largest.
     let part = |v: u32| v.min(max) as f32 / max as f32;
     match max {
-        255 => Samples::Eight(bytes.chunks_exact(channels).map(rgb_8).collect()),
-        65535 => Samples::Sixteen(bytes.chunks_exact(2 * channels).map(rgb_16).collect()),
-        0..=254 => {
-            let pixel = |p: &[u8]| rgb_8(p).map(|v| part(v.into()));
-            Samples::Float(bytes.chunks_exact(channels).map(pixel).collect())
-        }
+        255 => Samples::Eight(bytes),
+        65535 => Samples::Sixteen(bytes),
+        0..=254 => Samples::Float(bytes.iter().map(|&v| part(v.into())).collect()),
         _ => {
-            let pixel = |p: &[u8]| rgb_16(p).map(|v| part(v.into()));
-            Samples::Float(bytes.chunks_exact(2 * channels).map(pixel).collect())
+            let value = |p: &[u8; 2]| part(u16::from_be_bytes(*p).into());
+            Samples::Float(bytes.as_chunks().0.iter().map(value).collect())
         }
     }
 }

@@ -1,16 +1,14 @@
-//! Where a picture goes: a file that appears only when complete, or standard output.
+//! Where a picture goes: a file that appears only when complete, a device, or standard output.
 
-use std::ffi::OsStr;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
-use super::sink::{PlainSink, Sink};
+use super::file_set::FileSet;
+use super::sink::Sink;
 
 /// Large enough that system calls cost nothing beside encoding.
-const BUFFER_BYTES: usize = 1 << 18;
+pub(super) const BUFFER_BYTES: usize = 1 << 18;
 
 /// Where a picture goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,146 +20,112 @@ pub enum Target {
 }
 
 impl Target {
-    /// Opens the target for writing.
+    /// Opens a single target for writing: a [`FileSet`] of its own, committed with the sink.
     ///
     /// # Errors
-    /// If it cannot be opened or its folder not be written; the message names the path.
+    /// See [`FileSet::open`].
     pub fn open(&self) -> io::Result<Box<dyn Sink>> {
-        match self {
-            Self::Stdout => Ok(Box::new(PlainSink(BufWriter::with_capacity(BUFFER_BYTES, io::stdout())))),
-            Self::File(path) => open_file(path).map_err(|e| naming(path, &e)),
-        }
-    }
-}
-
-fn open_file(path: &Path) -> io::Result<Box<dyn Sink>> {
-    match fs::metadata(path) {
-        Ok(existing) if existing.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        // Renaming over a device would replace the device.
-        Ok(existing) if !existing.is_file() => {
-            let file = OpenOptions::new().write(true).open(path)?;
-            Ok(Box::new(Device { path: path.to_owned(), file: BufWriter::with_capacity(BUFFER_BYTES, file) }))
-        }
-        _ => Ok(Box::new(AtomicFile::create_unnamed_errors(path)?)),
+        let set = FileSet::new();
+        let sink = set.open(self)?;
+        Ok(Box::new(Alone { sink, set }))
     }
 }
 
 /// The same error with the path in its message.
-fn naming(path: &Path, error: &io::Error) -> io::Error {
-    io::Error::new(error.kind(), format!("cannot write {}: {error}", path.display()))
+pub(super) fn naming(path: &Path, error: &io::Error) -> io::Error {
+    naming_text(&path.display().to_string(), error)
 }
 
-/// A file written beside its target under another name, and renamed when complete.
-///
-/// Dropped without [`Sink::commit`] it is removed, and the target is as it was.
-#[derive(Debug)]
-pub struct AtomicFile {
-    /// As the caller wrote it, for messages.
-    path: PathBuf,
-    /// With symbolic links followed, so that a link stays a link.
-    destination: PathBuf,
-    file: BufWriter<NamedTempFile>,
+fn naming_text(name: &str, error: &io::Error) -> io::Error {
+    let what = match error.kind() {
+        io::ErrorKind::FileTooLarge => "the limit for sizes of files is reached: ",
+        _ => "",
+    };
+    io::Error::new(error.kind(), format!("cannot write {name}: {what}{error}"))
 }
 
-impl AtomicFile {
-    /// Starts a file that will become `path`.
-    ///
-    /// # Errors
-    /// If its folder does not exist or cannot be written; the message names the path.
-    pub fn create(path: &Path) -> io::Result<Self> {
-        Self::create_unnamed_errors(path).map_err(|e| naming(path, &e))
-    }
-
-    fn create_unnamed_errors(path: &Path) -> io::Result<Self> {
-        let destination = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        let name = destination.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
-        let folder = match destination.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        let file = create_temporary(folder, name)?;
-        // A file that is replaced hands on its permissions.
-        if let Ok(existing) = fs::metadata(&destination) {
-            file.as_file().set_permissions(existing.permissions())?;
-        }
-        let file = BufWriter::with_capacity(BUFFER_BYTES, file);
-        Ok(Self { path: path.to_owned(), destination, file })
-    }
-
-    fn patch_unnamed_errors(&mut self, offset: u64, bytes: &[u8]) -> io::Result<()> {
-        // Seeking flushes the buffer first.
-        self.file.seek(SeekFrom::Start(offset))?;
-        self.file.write_all(bytes)?;
-        self.file.seek(SeekFrom::End(0)).map(drop)
-    }
+/// A file that appears by itself.
+struct Alone {
+    sink: Box<dyn Sink>,
+    set: FileSet,
 }
 
-/// A new hidden file in `folder` with the permissions of an ordinary new file.
-fn create_temporary(folder: &Path, name: &OsStr) -> io::Result<NamedTempFile> {
-    let mut prefix = OsStr::new(".").to_owned();
-    prefix.push(name);
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(".part");
-    // The default, readable by the owner alone, suits secrets. The umask still applies.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // What went wrong without the random name that it went wrong with.
-    builder
-        .tempfile_in(folder)
-        .map_err(|error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error))
-}
-
-impl Write for AtomicFile {
+impl Write for Alone {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes).map_err(|e| naming(&self.path, &e))
+        self.sink.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush().map_err(|e| naming(&self.path, &e))
+        self.sink.flush()
     }
 }
 
-impl Sink for AtomicFile {
+impl Sink for Alone {
     fn can_patch(&self) -> bool {
-        true
+        self.sink.can_patch()
     }
 
     fn patch(&mut self, offset: u64, bytes: &[u8]) -> io::Result<()> {
-        self.patch_unnamed_errors(offset, bytes).map_err(|e| naming(&self.path, &e))
+        self.sink.patch(offset, bytes)
     }
 
     fn commit(self: Box<Self>) -> io::Result<()> {
-        let Self { path, destination, file } = *self;
-        let file = file.into_inner().map_err(|e| naming(&path, e.error()))?;
-        file.persist(&destination).map(drop).map_err(|e| naming(&path, &e.error))
+        self.sink.commit()?;
+        self.set.commit()
     }
 }
 
-/// A device, pipe or socket with a path.
+/// A device, pipe or socket.
 #[derive(Debug)]
-struct Device {
-    path: PathBuf,
-    file: BufWriter<File>,
+pub(super) struct Device<W: Write> {
+    /// For messages.
+    name: String,
+    out: BufWriter<W>,
 }
 
-impl Write for Device {
+impl<W: Write> Device<W> {
+    pub(super) fn new(name: String, out: W) -> Self {
+        Self { name, out: BufWriter::with_capacity(BUFFER_BYTES, out) }
+    }
+}
+
+impl<W: Write> Write for Device<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes).map_err(|e| naming(&self.path, &e))
+        self.out.write(bytes).map_err(|error| naming_text(&self.name, &error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush().map_err(|e| naming(&self.path, &e))
+        self.out.flush().map_err(|error| naming_text(&self.name, &error))
     }
 }
 
-impl Sink for Device {
+impl<W: Write + Send> Sink for Device<W> {
     fn commit(mut self: Box<Self>) -> io::Result<()> {
         self.flush()
     }
 }
 
+const STANDARD_OUTPUT: &str = "standard output";
+
+/// Past the library's buffer for lines, which would hold some bytes back until the process ends, where an error would be
+/// lost and a full pipe could no longer be left.
+#[cfg(unix)]
+pub(super) fn standard_output() -> io::Result<Box<dyn Sink>> {
+    use std::os::fd::AsFd;
+    let out = io::stdout().as_fd().try_clone_to_owned();
+    let out = out.map_err(|error| naming_text(STANDARD_OUTPUT, &error))?;
+    Ok(Box::new(Device::new(STANDARD_OUTPUT.to_owned(), File::from(out))))
+}
+
+#[cfg(not(unix))]
+pub(super) fn standard_output() -> io::Result<Box<dyn Sink>> {
+    Ok(Box::new(Device::new(STANDARD_OUTPUT.to_owned(), io::stdout())))
+}
+
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]
@@ -209,11 +173,11 @@ mod tests {
         let mode = |p: &Path| fs::metadata(p).unwrap().permissions().mode() & 0o777;
         let (plain, ours) = (folder.path().join("plain"), folder.path().join("ours"));
         fs::write(&plain, "").unwrap();
-        Box::new(AtomicFile::create(&ours).unwrap()).commit().unwrap();
+        Target::File(ours.clone()).open().unwrap().commit().unwrap();
         assert_eq!(mode(&ours), mode(&plain));
 
         fs::set_permissions(&ours, fs::Permissions::from_mode(0o640)).unwrap();
-        Box::new(AtomicFile::create(&ours).unwrap()).commit().unwrap();
+        Target::File(ours.clone()).open().unwrap().commit().unwrap();
         assert_eq!(mode(&ours), 0o640);
     }
 

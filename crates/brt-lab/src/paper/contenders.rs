@@ -2,7 +2,7 @@
 
 use brt::{
     Accelerator, BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method,
-    PencilSettings, PixelSelectedSettings, Regions, Transfer, VarianceDelta,
+    PencilSettings, PixelSelectedSettings, Regions, VarianceDelta,
 };
 
 /// The threshold of Figs. 1–4, in levels. Paper: P7.
@@ -64,9 +64,9 @@ impl Selection {
     }
 }
 
-/// Certified within a level, linear like the paper's pictures.
+/// Certified within a level.
 pub(crate) fn certified() -> Method {
-    Method::Certified(CertifiedSettings { tolerance: 1.0, transfer: Transfer::Linear })
+    Method::Certified(CertifiedSettings { tolerance: 1.0 })
 }
 
 /// The three families of speed-ups. Paper: P1.

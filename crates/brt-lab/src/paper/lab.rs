@@ -3,7 +3,7 @@
 //! Times are processor times of one thread: other programs disturb them least. Contenders take turns within each
 //! repetition, so that a machine which slows down slows all of them.
 
-use brt::{Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, render};
+use brt::{KeptRows, Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, Transfer, render};
 use cpu_time::ProcessTime;
 
 use super::fit::median;
@@ -14,6 +14,9 @@ use super::{Options, PaperError, Watch};
 const SHORT_SECONDS: f64 = 0.06;
 /// But not more often than this.
 const MOST_REPETITIONS: usize = 15;
+
+/// The paper's pixel values are proportional to light. Paper: P7, P12.
+const PAPERS_TRANSFER: Transfer = Transfer::Linear;
 
 /// Where experiments are done.
 pub(crate) struct Lab<'a> {
@@ -77,9 +80,9 @@ impl<'a> Lab<'a> {
 
     /// A picture with its layers, on all threads.
     pub(crate) fn picture(&self, scene: &Scene, settings: &Settings) -> Result<Picture, PaperError> {
-        let mut rows: Vec<Rows> = Vec::new();
-        let stats = render(scene, settings, &self.run(0), &mut rows)?;
-        Ok(Picture::new(settings.size, stats, rows))
+        let mut kept = KeptRows::new(PAPERS_TRANSFER);
+        let stats = render(scene, settings, &self.run(0), &mut kept)?;
+        Ok(Picture::new(settings.size, stats, kept.rows))
     }
 
     /// Counts, on all threads.
@@ -147,6 +150,10 @@ pub(crate) fn square(size: u32, method: Method) -> Settings {
 struct Nowhere;
 
 impl Sink for Nowhere {
+    fn transfer(&self) -> Transfer {
+        PAPERS_TRANSFER
+    }
+
     fn take(&mut self, _: &Rows) -> Result<(), SinkError> {
         Ok(())
     }

@@ -14,12 +14,12 @@ mod table;
 mod verdicts;
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use brt::image::{AtomicFile, EncodeError, Sink};
-use brt::{RenderError, Scene};
+use brt::image::EncodeError;
+use brt::{FileSet, RenderError, Scene, Target};
 use thiserror::Error;
 
 use findings::Findings;
@@ -64,16 +64,16 @@ pub enum PaperError {
     /// A rendering failed or was cancelled.
     #[error(transparent)]
     Render(#[from] RenderError),
-    /// A picture of the page could not be encoded.
+    /// A file could not be written, or a picture of the page not be encoded.
     #[error(transparent)]
     Encode(#[from] EncodeError),
     /// A named scene could not be built.
     #[error("{0}")]
     Scene(String),
-    /// A file could not be written.
+    /// The folder could not be made.
     #[error("cannot write {}: {source}", path.display())]
     Write {
-        /// The file or folder.
+        /// The folder.
         path: PathBuf,
         /// What stood against it.
         source: io::Error,
@@ -89,11 +89,11 @@ pub struct Summary {
     pub verdicts: Vec<(String, &'static str)>,
 }
 
-/// Measures everything and writes the page and its tables into a folder, which is made if need be.
+/// Measures everything and writes the page and its tables, through `files`, into a folder, which is made if need be.
 ///
 /// # Errors
-/// If a rendering is cancelled or a file cannot be written. Files are written last, so none is left behind half-done.
-pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, PaperError> {
+/// If a rendering is cancelled or a file cannot be written. Files are written last, and all appear or none.
+pub fn run(options: &Options, folder: &Path, files: &FileSet, watch: Watch) -> Result<Summary, PaperError> {
     let subjects = Subjects::new(options)?;
     let lab = Lab::new(options, watch);
     let mut findings = Findings::default();
@@ -108,18 +108,16 @@ pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, Pa
 
     fs::create_dir_all(folder).map_err(|source| PaperError::Write { path: folder.to_owned(), source })?;
     for table in &findings.tables {
-        write_file(&folder.join(format!("{}.csv", table.name)), &table.csv())?;
+        write_file(files, folder.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let page = folder.join("paper.html");
-    write_file(&page, &html)?;
+    write_file(files, page.clone(), &html)?;
+    files.commit().map_err(EncodeError::Io)?;
     Ok(Summary { page, verdicts: verdicts.iter().map(|v| (v.claim.to_owned(), v.outcome.name())).collect() })
 }
 
-fn write_file(path: &Path, text: &str) -> Result<(), PaperError> {
-    let write = || -> io::Result<()> {
-        let mut file = AtomicFile::create(path)?;
-        file.write_all(text.as_bytes())?;
-        Box::new(file).commit()
-    };
-    write().map_err(|source| PaperError::Write { path: path.to_owned(), source })
+fn write_file(files: &FileSet, path: PathBuf, text: &str) -> Result<(), EncodeError> {
+    let mut file = files.open(&Target::File(path))?;
+    file.write_all(text.as_bytes())?;
+    Ok(file.commit()?)
 }

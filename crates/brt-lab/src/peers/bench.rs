@@ -1,10 +1,11 @@
 //! Runs everybody in turns.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use brt::formats::write as write_scene;
+use brt::image::EncodeError;
 use brt::scene::Highlight;
-use brt::{Format, Scene};
+use brt::{FileSet, Format, Scene};
 
 use super::entrant::{Class, ENTRANTS, Entrant, Program, Task};
 use super::findings::{Findings, Row, median};
@@ -62,7 +63,7 @@ impl<'a> Bench<'a> {
     pub(super) fn measure(&mut self, name: &str, scene: &Scene) -> Result<(), PeersError> {
         let stem = file_stem(name);
         let toml = format!("{stem}.toml");
-        write(&self.folder.join(&toml), &brt::write_toml(scene))?;
+        write_scene_file(self.folder.join(&toml), &brt::write_toml(scene))?;
         let mut still_in = self.entrants.clone();
         let mut start_ups = Vec::new();
         for (index, &side) in self.options.sizes.iter().enumerate() {
@@ -95,7 +96,7 @@ impl<'a> Bench<'a> {
         for peer in Peer::ALL {
             let format: Format = peer.format();
             let Ok(written) = write_scene(format, &sized) else { continue };
-            write(&self.folder.join(format!("{stem}.{}", format.extensions()[0])), &written.text)?;
+            write_scene_file(self.folder.join(format!("{stem}.{}", format.extensions()[0])), &written.text)?;
             if is_first && self.entrants.iter().any(|e| e.program == Program::Other(peer)) {
                 let notes = written.report.diagnostics.into_iter().map(|d| format!("{name}: {}", d.message));
                 self.findings.notes.extend(notes);
@@ -228,6 +229,13 @@ fn has_phong(scene: &Scene) -> bool {
 fn file_stem(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '_' };
     name.chars().map(plain).collect()
+}
+
+/// Puts a scene in place at once, for programs to read.
+fn write_scene_file(path: PathBuf, text: &str) -> Result<(), EncodeError> {
+    let files = FileSet::new();
+    write(&files, path, text)?;
+    Ok(files.commit()?)
 }
 
 #[cfg(test)]

@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::{fs, io};
 
+use brt::FileSet;
+
 use super::csv::{fields, quoted};
 use super::entrant::Program;
 use super::findings::{Findings, Row};
@@ -64,8 +66,8 @@ pub(super) fn read(path: &Path) -> Result<Vec<Record>, PeersError> {
     })
 }
 
-/// Adds records to a file, all or none of them. What is there stays as it is, to the byte.
-pub(super) fn append(path: &Path, records: &[Record]) -> Result<(), PeersError> {
+/// Adds records to a file, once the set is committed. What is there stays as it is, to the byte.
+pub(super) fn append(files: &FileSet, path: &Path, records: &[Record]) -> Result<(), PeersError> {
     read(path)?;
     let mut text = text_of(path)?;
     if text.is_empty() {
@@ -75,7 +77,7 @@ pub(super) fn append(path: &Path, records: &[Record]) -> Result<(), PeersError> 
         text.push('\n');
     }
     text.extend(records.iter().map(line));
-    write(path, &text)
+    Ok(write(files, path.to_owned(), &text)?)
 }
 
 fn text_of(path: &Path) -> Result<String, PeersError> {
@@ -151,6 +153,8 @@ fn number(text: &str) -> Result<f64, String> {
 
 #[cfg(test)]
 pub(super) mod tests {
+    use brt::image::EncodeError;
+
     use super::super::findings::tests::example;
     use super::*;
 
@@ -183,11 +187,15 @@ pub(super) mod tests {
         let path = folder.path().join("history.csv");
         assert_eq!(read(&path).unwrap(), []);
         let both = two_runs();
-        append(&path, &both[..6]).unwrap();
+        let files = FileSet::new();
+        let add = |records| {
+            append(&files, &path, records).and_then(|()| Ok(files.commit().map_err(EncodeError::Io)?))
+        };
+        add(&both[..6]).unwrap();
         let before = fs::read_to_string(&path).unwrap();
         // An editor may have taken the last end of line.
         fs::write(&path, before.trim_end()).unwrap();
-        append(&path, &both[6..]).unwrap();
+        add(&both[6..]).unwrap();
         assert!(fs::read_to_string(&path).unwrap().starts_with(&before));
         let read = read(&path).unwrap();
         assert_eq!(read.len(), 12);
@@ -207,7 +215,7 @@ pub(super) mod tests {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("history.csv");
             fs::write(&path, &text).unwrap();
-            let error = append(&path, &two_runs()).unwrap_err().to_string();
+            let error = append(&FileSet::new(), &path, &two_runs()).unwrap_err().to_string();
             assert!(error.contains(part), "{error}");
             assert_eq!(fs::read_to_string(&path).unwrap(), text);
         }

@@ -20,12 +20,12 @@ mod program;
 mod table;
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use brt::image::{DecodeError, EncodeError, SizeMismatch};
-use brt::{Scene, Target};
+use brt::{FileSet, Scene, Target};
 use thiserror::Error;
 
 pub use crate::paper::Watch;
@@ -80,10 +80,10 @@ pub enum PeersError {
     /// The user stopped it.
     #[error("stopped")]
     Cancelled,
-    /// A file cannot be read or written.
+    /// The folder cannot be made.
     #[error("cannot write {}", path.display())]
     File {
-        /// The file.
+        /// The folder.
         path: PathBuf,
         /// What the system says.
         source: io::Error,
@@ -117,7 +117,7 @@ pub enum PeersError {
     /// A picture of ours cannot be read.
     #[error(transparent)]
     Decode(#[from] DecodeError),
-    /// A picture does not fit into the page.
+    /// A file cannot be written, or a picture does not fit into the page.
     #[error(transparent)]
     Encode(#[from] EncodeError),
     /// Pictures are not of one size.
@@ -125,12 +125,12 @@ pub enum PeersError {
     Size(#[from] SizeMismatch),
 }
 
-/// Measures, and writes `peers.csv` and `peers.html` into the folder, which is made if need be. The scenes as the peers
-/// read them stay there, too. Last, medians are added to the history, if there is to be one.
+/// Measures, and writes `peers.csv` and `peers.html`, through `files`, into the folder, which is made if need be. Medians
+/// are added to the history with them, if there is to be one. The scenes as the peers read them stay in the folder, too.
 ///
 /// # Errors
 /// See [`PeersError`]. A peer that is missing, fails or hangs is no error but a note.
-pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, PeersError> {
+pub fn run(options: &Options, folder: &Path, files: &FileSet, watch: Watch) -> Result<Summary, PeersError> {
     // A bad history should not be found after minutes of measuring.
     let history = options.record.as_ref().map(|record| history::read(&record.file)).transpose()?;
     fs::create_dir_all(folder).map_err(|source| PeersError::File { path: folder.to_owned(), source })?;
@@ -150,12 +150,13 @@ pub fn run(options: &Options, folder: &Path, watch: Watch) -> Result<Summary, Pe
         history::records(&findings, &machine::today(), &record.label, &findings.processor)
     });
     findings.history = [history.unwrap_or_default(), new.clone()].concat();
-    write(&folder.join("peers.csv"), &table::csv(&findings))?;
+    write(files, folder.join("peers.csv"), &table::csv(&findings))?;
     let page = folder.join("peers.html");
-    write(&page, &page::html(&findings))?;
+    write(files, page.clone(), &page::html(&findings))?;
     if let Some(record) = &options.record {
-        history::append(&record.file, &new)?;
+        history::append(files, &record.file, &new)?;
     }
+    files.commit().map_err(EncodeError::Io)?;
     let mut table = table::text(&findings);
     table.push('\n');
     for condition in &findings.conditions {
@@ -208,11 +209,9 @@ fn noise(findings: &Findings, load_before: Option<f64>) -> Vec<String> {
     lines
 }
 
-fn write(path: &Path, text: &str) -> Result<(), PeersError> {
-    let put = || {
-        let mut file = Target::File(path.to_owned()).open()?;
-        file.write_all(text.as_bytes())?;
-        file.commit()
-    };
-    put().map_err(|source| PeersError::File { path: path.to_owned(), source })
+/// Completes a file, which appears with the others of the set.
+fn write(files: &FileSet, path: PathBuf, text: &str) -> Result<(), EncodeError> {
+    let mut file = files.open(&Target::File(path))?;
+    file.write_all(text.as_bytes())?;
+    Ok(file.commit()?)
 }

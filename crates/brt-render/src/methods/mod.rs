@@ -18,7 +18,7 @@ pub use pencil::PencilSettings;
 pub use pixel_selected::PixelSelectedSettings;
 
 pub(crate) use border::render_border;
-pub(crate) use certified::render_certified;
+pub(crate) use certified::{Tolerance, render_certified};
 pub(crate) use full::{render_full, render_reference, trace_row};
 pub(crate) use item_buffer::render_item_buffer;
 pub(crate) use pencil::render_pencil;

@@ -11,4 +11,4 @@ pub use filter::Filter;
 pub(crate) use filter::{TileShares, reduce, reduce_alpha, reduce_into};
 pub use layers::{Layer, LayerRows};
 pub(crate) use layers::{LayerSources, tile_layer};
-pub use sink::{Rows, Sink, SinkError};
+pub use sink::{KeptRows, Rows, Sink, SinkError};

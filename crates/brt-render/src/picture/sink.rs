@@ -1,6 +1,6 @@
 //! Where finished rows go.
 
-use brt_image::PixelRows;
+use brt_image::{PixelRows, Transfer};
 
 use super::layers::LayerRows;
 
@@ -50,6 +50,11 @@ pub type SinkError = Box<dyn std::error::Error + Send + Sync>;
 /// Called on a thread of the rendering's pool while other threads render on: what it does in parallel by `rayon` is done
 /// by the same threads.
 pub trait Sink: Send {
+    /// How the picture will be stored: what a method promises of stored values, it promises after this function.
+    ///
+    /// Asked once, before the rendering.
+    fn transfer(&self) -> Transfer;
+
     /// Takes rows.
     ///
     /// # Errors
@@ -57,10 +62,39 @@ pub trait Sink: Send {
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError>;
 }
 
-/// Keeps all rows: a picture in memory.
+/// Keeps all rows: a picture in memory, to be shown as sRGB.
 impl Sink for Vec<Rows> {
+    fn transfer(&self) -> Transfer {
+        Transfer::Srgb
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         self.push(rows.clone());
         Ok(())
+    }
+}
+
+/// Keeps all rows of a picture that is stored otherwise.
+#[derive(Clone, Debug)]
+pub struct KeptRows {
+    transfer: Transfer,
+    /// What was taken, from the top.
+    pub rows: Vec<Rows>,
+}
+
+impl KeptRows {
+    /// Nothing yet, of a picture that will be stored with this function.
+    pub fn new(transfer: Transfer) -> Self {
+        Self { transfer, rows: Vec::new() }
+    }
+}
+
+impl Sink for KeptRows {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
+        self.rows.take(rows)
     }
 }

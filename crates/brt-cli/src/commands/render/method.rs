@@ -1,8 +1,8 @@
 //! The chosen method with its settings; options of another method are refused.
 
 use brt::{
-    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Encoding, Judge, Method,
-    PencilSettings, PictureFormat, PixelSelectedSettings, Transfer, VarianceDelta,
+    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
+    PixelSelectedSettings, VarianceDelta,
 };
 
 use super::options::{MethodName, Options};
@@ -14,7 +14,7 @@ const DELTA: f64 = 16.0;
 const BLOCK: u32 = 16;
 
 /// The method that the options ask for.
-pub(super) fn chosen(options: &Options, encoding: &Encoding) -> Result<Method, Failure> {
+pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
     let paper = &options.paper;
     check_belonging(options)?;
     let delta = paper.delta.unwrap_or(DELTA);
@@ -29,11 +29,6 @@ pub(super) fn chosen(options: &Options, encoding: &Encoding) -> Result<Method, F
         }),
         MethodName::Certified => Method::Certified(CertifiedSettings {
             tolerance: options.tolerance.unwrap_or(CertifiedSettings::default().tolerance),
-            // OpenEXR stores linear light whatever is asked for.
-            transfer: match encoding.format {
-                PictureFormat::Exr => Transfer::Linear,
-                PictureFormat::Png | PictureFormat::Ppm => encoding.transfer,
-            },
         }),
         MethodName::PixelSelected => Method::PixelSelected(PixelSelectedSettings {
             block,

@@ -11,9 +11,10 @@ mod targets;
 
 use std::time::Instant;
 
-use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_to_files};
+use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_into};
 
-use crate::commands::text_file::TextFile;
+use crate::commands::text_file;
+use crate::context::Context;
 use crate::exit::{Failure, Outcome};
 use crate::progress::Bar;
 use crate::{output, scene_input};
@@ -23,10 +24,10 @@ use stats_file::Seconds;
 use targets::Targets;
 
 /// Renders a scene.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let begin = Instant::now();
     let targets = Targets::new(options)?;
-    let method = method::chosen(options, &targets.picture.encoding)?;
+    let method = method::chosen(options)?;
 
     let input = scene_input::read(&options.scene, &options.reading, options.max_pixels)?;
     scene_input::check_spares(&input.files, &targets.files())?;
@@ -37,23 +38,25 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
     let mut scene = input.scene;
     let settings = settings(options, method, &scene)?;
     if options.view.sheet {
-        sheet::render(options, &targets, &mut scene, &input.given, &settings)?;
+        sheet::render(options, &targets, context, scene, &input.given, &settings)?;
         return Ok(Outcome::Done);
     }
     options.view.apply(&mut scene, &input.given, settings.size)?;
     let load = begin.elapsed().as_secs_f64();
     if let Some(pixel) = options.pixel {
-        return pixel::show(options, &scene, settings, pixel);
+        return pixel::show(options, context, &scene, settings, pixel);
     }
 
-    let stats_file = targets.stats.as_deref().map(TextFile::open).transpose()?;
-    let rendered = render(options, &targets, &scene, &settings)?;
+    let stats_file =
+        targets.stats.as_deref().map(|path| text_file::open(path, &context.files)).transpose()?;
+    let rendered = render(options, context, &targets, &scene, &settings)?;
     let total = begin.elapsed().as_secs_f64();
     let seconds = Seconds::new(load, total, &rendered);
     if let Some(file) = stats_file {
         stats_file::write(file, &settings, options.thread_count(), &rendered, &seconds)?;
     }
-    summary::show(options, &targets, &settings, &rendered, total);
+    context.files.commit()?;
+    summary::show(options, &targets, &settings, &rendered, total)?;
     Ok(outcome(options, &rendered))
 }
 
@@ -76,14 +79,15 @@ fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Set
 
 fn render(
     options: &Options,
+    context: &Context,
     targets: &Targets,
     scene: &Scene,
     settings: &Settings,
 ) -> Result<Rendered, Failure> {
     let bar = (output::errors_are_seen() && !options.quiet).then(|| Bar::new(settings.size[1]));
     let progress = bar.as_ref().map(|bar| bar as &dyn brt::Progress);
-    let run = Run { progress, ..options.run() };
-    render_to_files(scene, settings, &run, &targets.picture).map_err(failure)
+    let run = Run { progress, ..options.run(context) };
+    render_into(&context.files, scene, settings, &run, &targets.picture).map_err(failure)
 }
 
 fn failure(error: RenderFilesError) -> Failure {

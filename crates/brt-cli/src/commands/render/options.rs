@@ -8,8 +8,8 @@ use brt::{BitDepth, CheckedPixels, Limits, PictureLayer, Run, Samples, SimdLevel
 use clap::{ArgAction, Args, ValueEnum};
 
 use super::paper::PaperOptions;
+use crate::context::Context;
 use crate::framing::ViewOptions;
-use crate::interrupt;
 use crate::scene_input::InputOptions;
 use crate::values;
 
@@ -123,10 +123,10 @@ impl Options {
         self.max_error.is_some_and(|limit| error > limit)
     }
 
-    /// How the work is done; it ends when the user interrupts it.
-    pub(crate) fn run(&self) -> Run<'static> {
+    /// How the work is done; it ends when a signal asks for it.
+    pub(crate) fn run<'c>(&self, context: &'c Context) -> Run<'c> {
         let (threads, simd) = (self.thread_count(), self.simd);
-        Run { threads, simd, cancel: Some(interrupt::listen()), ..Run::default() }
+        Run { threads, simd, cancel: Some(context.interrupt.flag()), ..Run::default() }
     }
 
     /// How many threads render.

@@ -12,12 +12,14 @@ use brt::{
 };
 
 use super::options::Options;
+use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
 
 /// Prints what is seen in a pixel.
 pub(super) fn show(
     options: &Options,
+    context: &Context,
     scene: &Scene,
     mut settings: Settings,
     [x, y]: [u32; 2],
@@ -27,18 +29,18 @@ pub(super) fn show(
         return Err(wrong_use(format!("pixel {x},{y} is outside of the picture of {width}×{height}")));
     }
     settings.layers = Layer::ALL.to_vec();
-    let mut sink = PixelSink { pixel: [x, y], found: None };
-    match render(scene, &settings, &options.run(), &mut sink) {
+    let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
+    let mut sink = PixelSink { pixel: [x, y], transfer, found: None };
+    match render(scene, &settings, &options.run(context), &mut sink) {
         // The sink stops the rendering once it has what it wants.
         Ok(_) | Err(RenderError::Sink(_)) => {}
         Err(RenderError::Cancelled) => return Err(Failure::Interrupted),
         Err(error) => return Err(error.into()),
     }
     let found = sink.found.ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
-    let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
-    output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()));
+    output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()))?;
     for line in describe(&found, scene, transfer) {
-        output::line(&line);
+        output::line(&line)?;
     }
     Ok(Outcome::Done)
 }
@@ -46,10 +48,15 @@ pub(super) fn show(
 /// Rows of a single pixel.
 struct PixelSink {
     pixel: [u32; 2],
+    transfer: Transfer,
     found: Option<Rows>,
 }
 
 impl Sink for PixelSink {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
         let [x, y] = self.pixel;
         if y >= rows.first + rows.count() {

@@ -1,80 +1,162 @@
 //! `--sheet`: four views of a scene in one picture.
+//!
+//! Two views that stand side by side are rendered at the same time, so that their rows can be joined as they come, and
+//! memory stays proportional to the width.
+
+use std::error::Error;
+use std::fmt;
+use std::iter::zip;
+use std::panic::resume_unwind;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
 
 use brt::framing::View;
-use brt::image::{PixelRows, encoder};
-use brt::{Given, PictureSize, Rows, Scene, Settings};
+use brt::image::{BandWriter, PixelRows, encoder};
+use brt::{
+    Given, PictureSize, RenderError, Rows, Run, Scene, Settings, Sink, SinkError, Transfer,
+    render as render_rows,
+};
 
 use super::failure;
 use super::options::Options;
 use super::targets::Targets;
+use crate::context::Context;
 use crate::exit::Failure;
 
 /// In reading order: the whole, and the three sides that drawings show.
 const VIEWS: [[View; 2]; 2] = [[View::Iso, View::Front], [View::Right, View::Top]];
 
+/// Portions of rows of the left view that may wait for the right one.
+const MOST_WAITING: usize = 2;
+
 /// Renders the views and writes them as one picture.
 pub(super) fn render(
     options: &Options,
     targets: &Targets,
-    scene: &mut Scene,
+    context: &Context,
+    mut scene: Scene,
     given: &Given,
     settings: &Settings,
 ) -> Result<(), Failure> {
     let output = &targets.picture;
     let Some(target) = &output.target else { return Ok(()) };
     let [width, height] = settings.size;
-    let mut file = encoder(target.open()?, PictureSize::new(width, height), output.encoding)?;
-    options.view.paint(scene, given)?;
-    options.view.stand(scene, given);
-    for (views, height) in VIEWS.into_iter().zip(halves(height)) {
-        let mut cell = |i: usize| {
-            let size = [halves(width)[i], height];
-            cell(options, scene, given, views[i], &Settings { size, ..settings.clone() })
-        };
-        let cells = [cell(0)?, cell(1)?];
-        let widths = halves(width);
-        for row in 0..height as usize {
-            let [left, right] = [0, 1].map(|i| cells[i].row(row, widths[i] as usize));
-            let colors = [left.colors, right.colors].concat();
-            let alpha = left.alpha.zip(right.alpha).map(|(left, right)| [left, right].concat());
-            file.write_pixels(PixelRows { colors: &colors, alpha: alpha.as_deref() })?;
-        }
+    let mut file = encoder(context.files.open(target)?, PictureSize::new(width, height), output.encoding)?;
+    options.view.paint(&mut scene, given)?;
+    options.view.stand(&mut scene, given);
+    let transfer = output.encoding.effective_transfer();
+    for (views, height) in zip(VIEWS, halves(height)) {
+        let cells = zip(views, halves(width)).map(|(view, width)| {
+            let mut scene = scene.clone();
+            options.view.look(&mut scene, given, Some(view), [width, height]);
+            (scene, Settings { size: [width, height], ..settings.clone() })
+        });
+        let cells: Vec<_> = cells.collect();
+        render_pair(&cells, options, context, &mut *file, transfer).map_err(|error| failure(error.into()))?;
     }
-    Ok(file.finish()?)
+    file.finish()?;
+    Ok(context.files.commit()?)
 }
 
-/// The pixels of one view.
-struct Cell {
-    colors: Vec<[f32; 3]>,
-    alpha: Option<Vec<f32>>,
-}
-
-impl Cell {
-    fn row(&self, row: usize, width: usize) -> PixelRows<'_> {
-        let run = row * width..(row + 1) * width;
-        PixelRows { colors: &self.colors[run.clone()], alpha: self.alpha.as_ref().map(|a| &a[run]) }
-    }
-}
-
-fn cell(
+/// Renders two views, the left one on a thread of its own, and writes their joined rows.
+fn render_pair(
+    cells: &[(Scene, Settings)],
     options: &Options,
-    scene: &mut Scene,
-    given: &Given,
-    view: View,
-    settings: &Settings,
-) -> Result<Cell, Failure> {
-    options.view.look(scene, given, Some(view), settings.size);
-    let mut rows: Vec<Rows> = Vec::new();
-    brt::render(scene, settings, &options.run(), &mut rows).map_err(|error| failure(error.into()))?;
-    let mut cell = Cell { colors: Vec::new(), alpha: settings.backdrop.has_alpha().then(Vec::new) };
-    for rows in rows {
-        cell.colors.extend(rows.colors);
-        cell.alpha.iter_mut().for_each(|alpha| alpha.extend(rows.alpha.iter().flatten()));
+    context: &Context,
+    file: &mut dyn BandWriter,
+    transfer: Transfer,
+) -> Result<(), RenderError> {
+    let [(left, left_settings), (right, right_settings)] = cells else { return Ok(()) };
+    // One thread at least for each, even if only one was asked for.
+    let threads = halves(options.thread_count() as u32).map(|threads| threads.max(1) as usize);
+    let run = |threads| Run { threads, ..options.run(context) };
+    let (send, receive) = sync_channel(MOST_WAITING);
+    let mut sender = Sender { send, transfer };
+    let mut joiner = Joiner { receive, file, transfer };
+    let [for_left, for_right] = threads;
+    let (left, right) = thread::scope(|scope| {
+        // Each side holds its end of the channel only as long as it renders: neither waits for one that has failed.
+        let left = scope.spawn(move || render_rows(left, left_settings, &run(for_left), &mut sender));
+        let right = render_rows(right, right_settings, &run(for_right), &mut joiner);
+        drop(joiner);
+        (left.join().unwrap_or_else(|panic| resume_unwind(panic)), right)
+    });
+    match (left, right) {
+        (Ok(_), Ok(_)) => Ok(()),
+        (Err(error), _) if !is_consequence(&error) => Err(error),
+        (_, Err(error)) | (Err(error), _) => Err(error),
     }
-    Ok(cell)
 }
 
 /// Two parts of a length, the first not shorter than the second; neither is nothing if the length is at least 2.
 fn halves(length: u32) -> [u32; 2] {
     [length.div_ceil(2), length / 2]
+}
+
+/// Hands the rows of the left view over.
+struct Sender {
+    send: SyncSender<Rows>,
+    transfer: Transfer,
+}
+
+impl Sink for Sender {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
+    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
+        Ok(self.send.send(rows.clone()).map_err(|_| OtherEnded)?)
+    }
+}
+
+/// Takes the rows of the right view, and writes them beside those of the left one.
+struct Joiner<'f> {
+    receive: Receiver<Rows>,
+    file: &'f mut dyn BandWriter,
+    transfer: Transfer,
+}
+
+impl Sink for Joiner<'_> {
+    fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
+    fn take(&mut self, right: &Rows) -> Result<(), SinkError> {
+        let left = self.receive.recv().map_err(|_| OtherEnded)?;
+        // Bands follow from height and samples, which are the same.
+        if (left.first, left.count()) != (right.first, right.count()) {
+            return Err("two views side by side came in different rows".into());
+        }
+        let joined = |row: usize| {
+            let [left, right] = [&left, right].map(|rows| one_row(rows, row));
+            let alpha = left.alpha.zip(right.alpha).map(|(left, right)| [left, right].concat());
+            ([left.colors, right.colors].concat(), alpha)
+        };
+        for (colors, alpha) in (0..right.count() as usize).map(joined) {
+            self.file.write_pixels(PixelRows { colors: &colors, alpha: alpha.as_deref() })?;
+        }
+        Ok(())
+    }
+}
+
+fn one_row(rows: &Rows, row: usize) -> PixelRows<'_> {
+    let width = rows.width as usize;
+    let run = row * width..(row + 1) * width;
+    PixelRows { colors: &rows.colors[run.clone()], alpha: rows.alpha.as_ref().map(|alpha| &alpha[run]) }
+}
+
+/// A view cannot go on because the one beside it did not.
+#[derive(Debug)]
+struct OtherEnded;
+
+impl fmt::Display for OtherEnded {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("the view beside it was not rendered")
+    }
+}
+
+impl Error for OtherEnded {}
+
+fn is_consequence(error: &RenderError) -> bool {
+    matches!(error, RenderError::Sink(error) if error.is::<OtherEnded>())
 }

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use brt::image::Sink;
 use brt::{Certificate, CertificateCounts, Rendered, Settings, Stats, Tries};
 use serde::Serialize;
 
-use crate::commands::text_file::TextFile;
+use crate::commands::text_file;
 use crate::exit::Failure;
 use crate::json;
 
@@ -89,9 +90,9 @@ fn tries(counts: &CertificateCounts) -> BTreeMap<&'static str, TriesJson> {
     Certificate::ALL.map(json).into_iter().filter(|(_, tries)| tries.tried > 0).collect()
 }
 
-/// Writes the file.
+/// Writes and completes the file.
 pub(super) fn write(
-    file: TextFile,
+    file: Box<dyn Sink>,
     settings: &Settings,
     threads: usize,
     rendered: &Rendered,
@@ -122,5 +123,5 @@ pub(super) fn write(
         blocks: Blocks { judged: blocks.judged, filled: blocks.filled, divided: blocks.divided },
         certificates: tries(&certificates),
     };
-    file.write(&(json::text(&json)? + "\n"))
+    text_file::write(file, &(json::text(&json)? + "\n"))
 }

@@ -1,5 +1,7 @@
 //! The last words of a rendering.
 
+use std::io;
+
 use brt::{Judge, Method, Rendered, Settings, Target, Verification};
 
 use super::options::Options;
@@ -14,7 +16,7 @@ pub(super) fn show(
     settings: &Settings,
     rendered: &Rendered,
     total: f64,
-) {
+) -> io::Result<()> {
     let to_stdout = targets.picture.target == Some(Target::Stdout)
         || targets.stats.as_deref().is_some_and(crate::scene_input::is_dash);
     if let (true, Some(found)) = (options.verifies(), &rendered.verification)
@@ -24,7 +26,7 @@ pub(super) fn show(
         if to_stdout {
             output::note(&line);
         } else {
-            output::line(&line);
+            output::line(&line)?;
         }
         if let Some(limit) = options.max_error.filter(|_| options.is_over_limit(found.comparison.max_error)) {
             output::note(&format!("the greatest error is above the {limit} that --max-error allows"));
@@ -36,6 +38,7 @@ pub(super) fn show(
     if !options.quiet && (options.verbose || output::errors_are_seen()) {
         output::note(&last_line(targets, settings, rendered, total));
     }
+    Ok(())
 }
 
 /// The line to cite. The error is rounded up: what is cited holds.

@@ -7,6 +7,7 @@ use anyhow::bail;
 use brt::{Channels, Output, PictureFormat, Transfer};
 
 use super::options::Options;
+use crate::commands::text_file;
 use crate::exit::{Failure, wrong_use};
 use crate::scene_input::{check_distinct, is_dash};
 
@@ -80,6 +81,7 @@ fn to_stdout(options: &Options) -> Result<Output, Failure> {
     if io::stdout().is_terminal() {
         return Err(wrong_use("standard output is a terminal, expected a pipe or a file for the PNG"));
     }
+    text_file::check_stdout()?;
     if !options.layers.is_empty() {
         return Err(wrong_use("`--layers` writes files beside the picture, which goes to standard output"));
     }

@@ -17,9 +17,9 @@ mod rest;
 mod sheet;
 
 use brt_geometry::Taylor;
-use brt_image::{Rgb, Transfer};
+use brt_image::Rgb;
 
-use self::certificates::Tolerance;
+pub(crate) use self::certificates::Tolerance;
 use self::follow::{Follower, Outcome};
 use self::known_history::KnownHistory;
 use self::regions::{Region, regions_of, samples_of};
@@ -31,15 +31,14 @@ use crate::products::{Area, Certificate, NOTHING, PreparedScene, Seconds, StageC
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertifiedSettings {
     /// Greatest error of a channel of a pixel against full ray tracing, in levels of 255 of the stored value before
-    /// rounding. 0: nothing is filled, and the picture has the bits of full ray tracing.
+    /// rounding; the [sink](crate::Sink::transfer) says how values are stored. 0: nothing is filled, and the picture has
+    /// the bits of full ray tracing.
     pub tolerance: f64,
-    /// How linear light is stored: the tolerance is met after that.
-    pub transfer: Transfer,
 }
 
 impl Default for CertifiedSettings {
     fn default() -> Self {
-        Self { tolerance: 1.0, transfer: Transfer::Srgb }
+        Self { tolerance: 1.0 }
     }
 }
 
@@ -63,13 +62,12 @@ pub(crate) fn render_certified(
     worker: &mut TileWorker,
     tile: &Tile,
     scene: &PreparedScene,
-    settings: &CertifiedSettings,
+    tolerance: Tolerance,
     max_depth: u32,
 ) {
     let clock = StageClock::start();
     let regions = regions_of(&worker.perspective, tile);
     let follower = Follower::new(scene, worker.camera, max_depth);
-    let tolerance = Tolerance::new(settings);
     let groups = || regions.chunk_by(|a, b| a.primitive == b.primitive);
     let has_few_parts = groups().filter(|group| samples_of(group) < LEAST_PROVEN).count() <= FEW_PARTS;
     let rest = Rest::default();

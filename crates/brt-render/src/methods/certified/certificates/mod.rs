@@ -11,7 +11,7 @@ pub(super) use checker::cell_color;
 pub(super) use clear::Clear;
 pub(super) use screen::hides_together;
 pub(super) use shadow::{before_light, is_beside, lighting, shaft_of};
-pub(super) use tolerance::Tolerance;
+pub(crate) use tolerance::Tolerance;
 pub(super) use visibility::first_seen;
 
 /// More candidates than these are not looked at one by one: smaller blocks have fewer.

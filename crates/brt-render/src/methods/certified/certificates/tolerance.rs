@@ -10,7 +10,7 @@ use crate::methods::CertifiedSettings;
 
 /// The tolerance of a picture.
 #[derive(Clone, Debug)]
-pub(in crate::methods::certified) struct Tolerance {
+pub(crate) struct Tolerance {
     /// Of stored values, 1 being white.
     stored: f64,
     transfer: Transfer,
@@ -23,8 +23,8 @@ const SRGB_CUT: f64 = 0.003_130_8;
 const RESERVE: f64 = 1e-3;
 
 impl Tolerance {
-    pub(in crate::methods::certified) fn new(settings: &CertifiedSettings) -> Self {
-        Self { stored: settings.tolerance * (1.0 - RESERVE) / 255.0, transfer: settings.transfer }
+    pub(crate) fn new(settings: &CertifiedSettings, transfer: Transfer) -> Self {
+        Self { stored: settings.tolerance * (1.0 - RESERVE) / 255.0, transfer }
     }
 
     /// The greatest error of a channel in units of what is allowed.
