@@ -9,7 +9,7 @@ use brt_image::{
 use brt_render::{Rows, Sink, SinkError};
 
 use crate::files::Output;
-use crate::layer_paint::LayerPainter;
+use crate::layer_paint::PicturePainter;
 use crate::layers::PictureLayer;
 use crate::measure::{ErrorMeasure, Verification};
 
@@ -18,7 +18,7 @@ use crate::measure::{ErrorMeasure, Verification};
 /// All of it happens on the threads that render, while others render on.
 pub(crate) struct PictureFiles {
     files: Option<OpenFiles>,
-    painter: LayerPainter,
+    painter: PicturePainter,
     measure: Option<ErrorMeasure>,
     /// Of measuring and painting.
     clock: WorkClock,
@@ -31,7 +31,7 @@ impl PictureFiles {
     pub(crate) fn open(
         output: &Output,
         size: PictureSize,
-        painter: LayerPainter,
+        painter: PicturePainter,
         measure: Option<ErrorMeasure>,
     ) -> Result<Self, EncodeError> {
         let files = output.target.as_ref().map(|target| OpenFiles::open(output, target, size)).transpose()?;
@@ -94,7 +94,7 @@ impl OpenFiles {
     }
 
     /// The time for painting goes to `clock`.
-    fn write(&mut self, rows: &Rows, painter: &LayerPainter, clock: &WorkClock) -> Result<(), EncodeError> {
+    fn write(&mut self, rows: &Rows, painter: &PicturePainter, clock: &WorkClock) -> Result<(), EncodeError> {
         match self {
             Self::Exr { encoder, layers } => {
                 let values: Vec<Vec<f32>> =
