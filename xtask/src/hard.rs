@@ -1,6 +1,7 @@
 //! Is everything kept that is promised of scenes at the limits of what can be computed?
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
 use brt_formats::write_toml;
@@ -23,12 +24,15 @@ pub(crate) fn run(kinds: &[HardKind], pixels: u64, seed: u64) -> Result<()> {
         let Some(scene) = hard_scene(kind, &mut Choices::new(&hard_bytes(&mut random))) else { continue };
         seen += u64::from(trial.size[0] * trial.size[1]);
         scenes += 1;
+        // Before it is rendered, in case that does not end.
+        let path = keep(scene.clone(), &trial, kind, seed)?;
         if let Some(report) = broken_promise(&scene, &trial) {
             let (what, _) = report.split_once('\n').unwrap_or((&report, ""));
-            let path = keep(scene, &trial, kind, seed)?;
-            println!("{} seed {seed} {:?}: {what}; {path}", kind.name(), trial.accelerator);
+            println!("{} seed {seed} {:?}: {what}; {}", kind.name(), trial.accelerator, path.display());
             let (method, _) = what.split_once(':').unwrap_or((what, ""));
             *broken.entry(format!("{}, {method}", kind.name())).or_default() += 1;
+        } else {
+            std::fs::remove_file(&path)?;
         }
     }
     println!("{seen} pixels of {scenes} scenes");
@@ -47,12 +51,12 @@ fn any_trial(random: &mut Random) -> Trial {
     }
 }
 
-/// Writes the scene for a closer look.
-fn keep(scene: Scene, trial: &Trial, kind: HardKind, seed: u64) -> Result<String> {
+/// Writes the scene into the folder of those that broke, for a closer look.
+fn keep(scene: Scene, trial: &Trial, kind: HardKind, seed: u64) -> Result<PathBuf> {
     let folder = std::env::temp_dir().join("certify-failed");
     std::fs::create_dir_all(&folder)?;
     let path = folder.join(format!("{}-{seed}.toml", kind.name()));
     let text = write_toml(&Scene { size: Some(trial.size), ..scene });
     std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
-    Ok(path.display().to_string())
+    Ok(path)
 }
