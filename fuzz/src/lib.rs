@@ -1,5 +1,5 @@
-//! What all targets share: bytes are read as `brt` reads a file, from a folder with others beside it, under the limits
-//! that are shipped.
+//! What targets share. Importers: bytes are read as `brt` reads a file, from a folder with others beside it, under the
+//! limits that are shipped. Renderers: bytes are choices of a scene and of how it is rendered.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,11 @@ use std::sync::OnceLock;
 
 use base64::Engine as _;
 use brt_formats::{Format, Limits, ParseError, import, load};
+use brt_image::Transfer;
+use brt_render::{Accelerator, CertifiedSettings};
 use brt_scene::{Report, Scene};
+use brt_testkit::{Choices, HardKind, Trial, broken_promise, hard_scene};
+use libfuzzer_sys::Corpus;
 
 /// A PNG of 2 × 2 pixels.
 const PNG: &str = "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwHwyBNAg0AABJSQl4nFEXkgAAAABJRU5ErkJggg==";
@@ -82,4 +86,24 @@ fn check_places(report: &Report, bytes: &[u8]) {
             assert!(span.start <= span.end && span.end <= bytes.len(), "{span:?} of {}", bytes.len());
         }
     }
+}
+
+/// Renders the scene that these bytes stand for by all methods that are exact or within a tolerance, and holds them
+/// against each other. What is not fit to be rendered is not kept.
+///
+/// # Panics
+/// If they differ; the message holds the scene as a file.
+pub fn render_tiny(bytes: &[u8]) -> Corpus {
+    let mut choices = Choices::new(bytes);
+    let kind = choices.pick(&HardKind::ALL);
+    // Fewer samples than 48 are traced whatever is known of them.
+    let size = [choices.pick(&[12, 9, 4, 11]), choices.pick(&[12, 9, 4, 10])];
+    let transfer = choices.pick(&[Transfer::Linear, Transfer::Srgb]);
+    let certified = CertifiedSettings { tolerance: choices.pick(&[1.0, 1.0, 0.1]) };
+    let accelerator = choices.pick(&[Accelerator::Bvh, Accelerator::None, Accelerator::Extents, Accelerator::Grid]);
+    let Some(scene) = hard_scene(kind, &mut choices) else { return Corpus::Reject };
+    if let Some(broken) = broken_promise(&scene, &Trial { size, accelerator, certified, transfer }) {
+        panic!("{}: {broken}", kind.name());
+    }
+    Corpus::Keep
 }

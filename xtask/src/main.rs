@@ -4,6 +4,7 @@
 mod agree;
 mod borders;
 mod certify;
+mod hard;
 mod mutate;
 mod povray;
 mod scenes;
@@ -12,6 +13,7 @@ mod triangles;
 
 use std::path::{Path, PathBuf};
 
+use brt_testkit::HardKind;
 use clap::Parser;
 
 /// Measurements of the repository.
@@ -41,8 +43,11 @@ enum Task {
         /// Scene files or names; none: the seed scenes and all procedural ones.
         scenes: Vec<String>,
     },
-    /// The same for random views at random scales.
+    /// The same for random views at random scales, or for random scenes that are hard to compute.
     CertifyViews {
+        /// Instead of views of scenes: tiny, mirrored, shadow, coincident, offset or mixed scenes; all: each of these.
+        #[arg(long, conflicts_with = "scenes", value_parser = kinds)]
+        kind: Option<Kinds>,
         /// How many pixels to check.
         #[arg(long, default_value_t = 20_000_000)]
         pixels: u64,
@@ -86,12 +91,27 @@ enum Task {
     },
 }
 
+/// Some kinds of hard scenes.
+#[derive(Clone)]
+struct Kinds(Vec<HardKind>);
+
+fn kinds(name: &str) -> Result<Kinds, String> {
+    if name == "all" {
+        return Ok(Kinds(HardKind::ALL.to_vec()));
+    }
+    HardKind::from_name(name).map(|kind| Kinds(vec![kind])).ok_or_else(|| {
+        let names = HardKind::ALL.map(HardKind::name).join(", ");
+        format!("expected one of {names}, all")
+    })
+}
+
 fn main() -> anyhow::Result<()> {
     match Task::parse() {
         Task::Agree { size, scenes } => agree::run(size, &scenes),
         Task::Borders { size, scenes } => borders::run(size, &scenes),
         Task::Certify { most_side, scenes } => certify::matrix(&scenes, most_side),
-        Task::CertifyViews { pixels, seed, scenes } => certify::views(&scenes, pixels, seed),
+        Task::CertifyViews { kind: Some(Kinds(kinds)), pixels, seed, .. } => hard::run(&kinds, pixels, seed),
+        Task::CertifyViews { kind: None, pixels, seed, scenes } => certify::views(&scenes, pixels, seed),
         Task::Povray { pictures } => povray::run(&pictures),
         Task::Triangles { triangles, size, scene, output } => {
             triangles::run(&scene, triangles, size, &output)

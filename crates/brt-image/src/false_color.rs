@@ -1,4 +1,4 @@
-//! Colours that show data: numbers of surfaces, and depth.
+//! Colours that show data: numbers of surfaces and of ray histories.
 
 use crate::Transfer;
 
@@ -18,19 +18,6 @@ pub fn id_color(id: u64) -> [f32; 3] {
         let fall = sector.min(4.0 - sector).clamp(0.0, 1.0);
         Transfer::Srgb.decode(value * (1.0 - saturation * fall)) as f32
     })
-}
-
-/// A grey for a depth, linear RGB: white at `nearest` and nearer, dark at `farthest`, in equal
-/// steps to the eye; black beyond and for what is not a number (nothing is hit).
-pub fn depth_color(depth: f64, nearest: f64, farthest: f64) -> [f32; 3] {
-    if depth.is_nan() || depth > farthest {
-        return [0.0; 3];
-    }
-    // The farthest surface must still differ from the black of nothing.
-    const DARKEST: f64 = 0.12;
-    let span = farthest - nearest;
-    let part = if span > 0.0 { ((depth - nearest) / span).clamp(0.0, 1.0) } else { 0.0 };
-    [Transfer::Srgb.decode(1.0 - (1.0 - DARKEST) * part) as f32; 3]
 }
 
 #[cfg(test)]
@@ -64,16 +51,5 @@ mod tests {
             let c = codes(id_color(id));
             assert!(c.iter().max().unwrap() - c.iter().min().unwrap() > 60, "{id}: {c:?}");
         }
-    }
-
-    #[test]
-    fn depth_darkens_from_white_and_nothing_is_black() {
-        assert_eq!(codes(depth_color(1.0, 1.0, 3.0)), [255; 3]);
-        // Half way: 255 * (1 - 0.88 / 2) = 142.8.
-        assert_eq!(codes(depth_color(2.0, 1.0, 3.0)), [143; 3]);
-        assert_eq!(codes(depth_color(3.0, 1.0, 3.0)), [31; 3]);
-        assert_eq!(codes(depth_color(f64::INFINITY, 1.0, 3.0)), [0; 3]);
-        assert_eq!(codes(depth_color(f64::NAN, 1.0, 3.0)), [0; 3]);
-        assert_eq!(codes(depth_color(1.0, 1.0, 1.0)), [255; 3]);
     }
 }

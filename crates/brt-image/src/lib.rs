@@ -37,7 +37,7 @@ pub use codec::{
 };
 pub use color::{Rgb, rgb};
 pub use compare::{SizeMismatch, compare, heat_color, heat_map, heat_rows};
-pub use false_color::{depth_color, id_color};
+pub use false_color::id_color;
 pub use image::{Band, Image, PictureSize, PixelCountError};
 pub use metrics::{Comparison, DifferenceMeter};
 pub use picture::Picture;

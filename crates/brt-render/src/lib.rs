@@ -21,7 +21,7 @@ pub use methods::{
     BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings,
     PixelSelectedSettings, Regions, VarianceDelta,
 };
-pub use picture::{Filter, KeptRows, Layer, LayerRows, Rows, Sink, SinkError};
+pub use picture::{Filter, KeptRows, Layer, LayerPainter, LayerRows, Rows, Sink, SinkError};
 pub use prepare::{PreparedCamera, prepare};
 pub use products::{
     BlockCounts, Certificate, CertificateCounts, PixelCounts, PreparedScene, RayCounts, RayHistory,

@@ -1,70 +1,70 @@
-//! How much work the seed scenes are, exactly: more rays are a red test on every machine.
+//! How much work scenes are, exactly: more rays, or less that is proven, are a red test on every machine.
 //!
-//! Tests of primitives and visits of nodes are left out, since they change with every tuning.
+//! The counts stand in `golden/work.txt` and `golden/certificates.txt`, which `UPDATE_GOLDEN=1` writes anew. Tests of
+//! primitives and visits of nodes are left out, since they change with every tuning.
 
-use brt_render::{BorderSettings, Method, PixelSelectedSettings, RayCounts, Run, Settings};
-use brt_testkit::{render_with_layers, seed_scene};
+use std::fmt::Write as _;
+use std::path::Path;
 
-/// Traced samples, filled ones, and rays at 256 × 256 pixels by each method's default settings.
-type Work = (u64, u64, RayCounts);
+use brt_render::{
+    BorderSettings, Certificate, CertifiedSettings, Method, PixelSelectedSettings, Run, Settings, Stats,
+    Tries,
+};
+use brt_scene::{Scene, procedural};
+use brt_testkit::{Golden, render_to_image, seed_scene};
 
-const fn work(traced: u64, filled: u64, [shadow, mirror, refracted]: [u64; 3]) -> Work {
-    (traced, filled, RayCounts { camera: traced, shadow, mirror, refracted })
+fn golden() -> Golden {
+    Golden::new(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden"))
 }
 
-/// The only place to change when the methods choose differently: full, pixel-selected, border.
-const RECORDED: [(&str, [Work; 3]); 3] = [
-    (
-        "a",
-        [
-            work(65536, 0, [104197, 101724, 0]),
-            work(13872, 51664, [26714, 28982, 0]),
-            work(9207, 56329, [18255, 20340, 0]),
-        ],
-    ),
-    (
-        "b",
-        [
-            work(65536, 0, [74575, 46472, 0]),
-            work(26849, 38687, [35503, 35646, 0]),
-            work(20375, 45161, [28731, 31047, 0]),
-        ],
-    ),
-    (
-        "c",
-        [
-            work(65536, 0, [155878, 16264, 0]),
-            work(15948, 49588, [49317, 10979, 0]),
-            work(8406, 57130, [28158, 7117, 0]),
-        ],
-    ),
-];
+fn scene(name: &str) -> Scene {
+    procedural::find(name).map_or_else(|| seed_scene(name), |scene| scene.build(None).unwrap())
+}
 
+fn stats(scene: &Scene, method: Method) -> Stats {
+    render_to_image(scene, &Settings { method, ..Settings::new([256, 256]) }, &Run::default()).1
+}
+
+/// Samples by how they got their colours, and rays, each searching the scene.
+fn work(table: &mut String, name: &str, method: &Method, stats: &Stats) {
+    let (pixels, rays) = (stats.pixels, stats.rays);
+    assert_eq!(pixels.traced + pixels.shaded + pixels.filled, 256 * 256);
+    let counts =
+        [pixels.traced, pixels.shaded, pixels.filled, rays.camera, rays.shadow, rays.mirror, rays.refracted];
+    let counts = counts.map(|count| format!("{count:>9}")).concat();
+    writeln!(table, "{name:10} {:14}{counts}", method.name()).unwrap();
+}
+
+/// Each method's default settings on the seed scenes, `certified` on others, too.
 #[test]
-fn the_seed_scenes_cost_what_they_did() {
+fn scenes_cost_what_they_did() {
+    let certified = Method::Certified(CertifiedSettings::default());
     let methods = [
         Method::Full,
         Method::PixelSelected(PixelSelectedSettings::default()),
         Method::Border(BorderSettings::default()),
     ];
-    let measure = |name: &str| {
-        methods.map(|method| {
-            let settings = Settings { method, ..Settings::new([256, 256]) };
-            let stats = render_with_layers(&seed_scene(name), &settings, &Run::default()).stats;
-            (stats.pixels.traced, stats.pixels.filled, stats.rays)
-        })
-    };
-    let measured = RECORDED.map(|(name, _)| (name, measure(name)));
-    assert_eq!(measured, RECORDED, "now:\n{}", table(&measured));
-}
-
-/// The table as it stands above.
-fn table(measured: &[(&str, [Work; 3])]) -> String {
-    let entry = |(traced, filled, rays): &Work| {
-        format!("work({traced}, {filled}, [{}, {}, {}])", rays.shadow, rays.mirror, rays.refracted)
-    };
-    let row = |(name, works): &(&str, [Work; 3])| {
-        format!("    (\"{name}\", [{}]),\n", works.each_ref().map(entry).join(", "))
-    };
-    measured.iter().map(row).collect()
+    let mut table = format!(
+        "{:10} {:14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
+        "scene", "method", "traced", "shaded", "filled", "camera", "shadow", "mirror", "refracted"
+    );
+    for name in ["a", "b", "c"] {
+        let scene = scene(name);
+        methods.iter().for_each(|method| work(&mut table, name, method, &stats(&scene, *method)));
+    }
+    let mut proofs = format!("{:10} {:12}{:>9}{:>9}\n", "scene", "certificate", "tried", "proven");
+    for name in ["a", "b", "c", "blocks", "torus", "adversary"] {
+        let stats = stats(&scene(name), certified);
+        work(&mut table, name, &certified, &stats);
+        for certificate in Certificate::ALL {
+            let Tries { proven, failed } = stats.certificates[certificate];
+            if proven + failed > 0 {
+                let (tried, kind) = (proven + failed, certificate.name());
+                writeln!(proofs, "{name:10} {kind:12}{tried:>9}{proven:>9}").unwrap();
+            }
+        }
+    }
+    for (name, table) in [("work", &table), ("certificates", &proofs)] {
+        golden().check_table(name, table).unwrap_or_else(|error| panic!("{error}"));
+    }
 }

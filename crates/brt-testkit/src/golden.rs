@@ -1,4 +1,4 @@
-//! Golden images: pictures under version control that a rendering must equal, code by code.
+//! Golden files: pictures and tables under version control that a rendering must equal, code by code.
 
 use std::env;
 use std::fs;
@@ -9,16 +9,16 @@ use brt_image::{
 };
 use thiserror::Error;
 
-/// A folder of golden images.
+/// A folder of golden files.
 ///
-/// With `UPDATE_GOLDEN=1` in the environment images are written instead of compared.
+/// With `UPDATE_GOLDEN=1` in the environment they are written instead of compared.
 #[derive(Clone, Debug)]
 pub struct Golden {
     folder: PathBuf,
     is_updating: bool,
 }
 
-/// A picture that is not the golden one.
+/// A picture or table that is not the golden one.
 #[derive(Debug, Error)]
 pub enum GoldenError {
     /// They differ.
@@ -41,6 +41,20 @@ pub enum GoldenError {
         /// File with the golden image, the differences and the new image side by side.
         see: String,
     },
+    /// A line of a table differs.
+    #[error("{name}: line {line} is\n  {actual}\nexpected\n  {expected}\nthe whole table is now\n{table}")]
+    Line {
+        /// Name of the table.
+        name: String,
+        /// Number of the first line that differs.
+        line: usize,
+        /// That line in the golden table.
+        expected: String,
+        /// That line now.
+        actual: String,
+        /// All of it as it is now.
+        table: String,
+    },
     /// There is no golden image, or it has another size.
     #[error("{0}; if it should be new, run the test with UPDATE_GOLDEN=1")]
     Missing(String),
@@ -56,16 +70,44 @@ impl Golden {
         Self { folder: folder.into(), is_updating }
     }
 
-    /// Compares colours (linear RGB) with a golden image, or writes it.
+    /// Compares a table with a golden one, line by line, or writes it.
+    ///
+    /// # Errors
+    /// If they differ, or the file cannot be read or written.
+    pub fn check_table(&self, name: &str, table: &str) -> Result<(), GoldenError> {
+        let path = self.folder.join(format!("{name}.txt"));
+        if self.is_updating {
+            return fs::write(&path, table).map_err(|error| GoldenError::Write(error.to_string()));
+        }
+        let golden = fs::read_to_string(&path).map_err(|error| GoldenError::Missing(error.to_string()))?;
+        let lines = golden.lines().count().max(table.lines().count());
+        let line = |text: &str, i: usize| text.lines().nth(i).unwrap_or("(none)").to_owned();
+        let Some(i) = (0..lines).find(|&i| line(&golden, i) != line(table, i)) else { return Ok(()) };
+        Err(GoldenError::Line {
+            name: name.to_owned(),
+            line: i + 1,
+            expected: line(&golden, i),
+            actual: line(table, i),
+            table: table.to_owned(),
+        })
+    }
+
+    /// Compares colours (linear RGB) with a golden image that is stored by this transfer function, or writes it.
     ///
     /// # Errors
     /// If they differ, or a file cannot be read or written.
-    pub fn check(&self, name: &str, size: [u32; 2], colors: &[[f32; 3]]) -> Result<(), GoldenError> {
+    pub fn check(
+        &self,
+        name: &str,
+        size: [u32; 2],
+        colors: &[[f32; 3]],
+        transfer: Transfer,
+    ) -> Result<(), GoldenError> {
         let size = PictureSize::new(size[0], size[1]);
         let golden_path = self.folder.join(format!("{name}.png"));
         let failed_path = self.folder.join(format!("{name}.failed.png"));
         if self.is_updating {
-            return write(&golden_path, size, colors);
+            return write(&golden_path, size, colors, transfer);
         }
         let expected = read_picture(&golden_path, PictureLimits::default())
             .map_err(|error| GoldenError::Missing(error.to_string()))?;
@@ -74,7 +116,7 @@ impl Golden {
             return Err(GoldenError::Missing(message));
         }
         // Through a file, so that exactly what is stored is compared.
-        write(&failed_path, size, colors)?;
+        write(&failed_path, size, colors, transfer)?;
         let actual = read_picture(&failed_path, PictureLimits::default())
             .map_err(|error| GoldenError::Write(error.to_string()))?;
         let result = self.compare(name, &expected, &actual, &failed_path);
@@ -121,12 +163,13 @@ fn write_triptych(path: &Path, expected: &Picture, actual: &Picture) -> Result<(
         colors.extend(&heat.pixels()[row.clone()]);
         colors.extend(row.map(|i| linear(actual, i)));
     }
-    write(path, PictureSize::new(3 * size.width, size.height), &colors)
+    write(path, PictureSize::new(3 * size.width, size.height), &colors, Transfer::Srgb)
 }
 
-fn write(path: &Path, size: PictureSize, colors: &[[f32; 3]]) -> Result<(), GoldenError> {
+fn write(path: &Path, size: PictureSize, colors: &[[f32; 3]], transfer: Transfer) -> Result<(), GoldenError> {
     let save = || -> Result<(), Box<dyn std::error::Error>> {
-        let mut encoder = encoder(Target::File(path.to_owned()).open()?, size, Encoding::default())?;
+        let encoding = Encoding { transfer, ..Encoding::default() };
+        let mut encoder = encoder(Target::File(path.to_owned()).open()?, size, encoding)?;
         encoder.write(colors)?;
         Ok(encoder.finish()?)
     };
@@ -143,14 +186,28 @@ mod tests {
         let update = Golden { folder: folder.path().to_owned(), is_updating: true };
         let check = Golden { is_updating: false, ..update.clone() };
         let mut colors = vec![[0.5, 0.25, 0.0]; 12];
-        assert!(matches!(check.check("grey", [4, 3], &colors), Err(GoldenError::Missing(_))));
-        update.check("grey", [4, 3], &colors).unwrap();
-        check.check("grey", [4, 3], &colors).unwrap();
+        assert!(matches!(check.check("grey", [4, 3], &colors, Transfer::Srgb), Err(GoldenError::Missing(_))));
+        update.check("grey", [4, 3], &colors, Transfer::Srgb).unwrap();
+        check.check("grey", [4, 3], &colors, Transfer::Srgb).unwrap();
         assert!(!folder.path().join("grey.failed.png").exists());
         colors[6][2] = 0.0004; // one level of 255 in sRGB
-        let error = check.check("grey", [4, 3], &colors).unwrap_err();
+        let error = check.check("grey", [4, 3], &colors, Transfer::Srgb).unwrap_err();
         assert!(matches!(error, GoldenError::Differs { x: 2, y: 1, count: 1, .. }), "{error}");
         let three = read_picture(&folder.path().join("grey.failed.png"), PictureLimits::default()).unwrap();
         assert_eq!(three.size(), PictureSize::new(12, 3));
+    }
+
+    #[test]
+    fn a_table_names_its_first_line_that_differs() {
+        let folder = tempfile::tempdir().unwrap();
+        let update = Golden { folder: folder.path().to_owned(), is_updating: true };
+        let check = Golden { is_updating: false, ..update.clone() };
+        assert!(matches!(check.check_table("counts", "a 1\n"), Err(GoldenError::Missing(_))));
+        update.check_table("counts", "a 1\nb 2\n").unwrap();
+        check.check_table("counts", "a 1\nb 2\n").unwrap();
+        for (other, line) in [("a 1\nb 3\n", 2), ("a 1\n", 2), ("a 1\nb 2\nc 3\n", 3)] {
+            let error = check.check_table("counts", other).unwrap_err();
+            assert!(matches!(error, GoldenError::Line { line: l, .. } if l == line), "{error}");
+        }
     }
 }

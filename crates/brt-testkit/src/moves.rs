@@ -21,6 +21,31 @@ pub fn shifted(scene: &Scene, offset: Vec3) -> Scene {
     scene
 }
 
+/// The scene turned around the origin by a map that keeps lengths. Chequered patterns stay as they are.
+pub fn turned(scene: &Scene, turn: &Affine) -> Scene {
+    let mut scene = moved(scene, |p| turn.point(p), &|length| length);
+    scene.camera.up = turn.direction(scene.camera.up);
+    for light in &mut scene.lights {
+        if let Light::Directional { direction, .. } | Light::Spot { direction, .. } = light {
+            *direction = turn.direction(*direction);
+        }
+    }
+    for object in &mut scene.objects {
+        if object.transform != Affine::IDENTITY {
+            object.transform.axes = object.transform.axes.map(|axis| turn.direction(axis));
+            continue;
+        }
+        match &mut object.shape {
+            Shape::Plane { normal, .. } | Shape::Disc { normal, .. } => *normal = turn.direction(*normal),
+            Shape::Mesh(mesh) => {
+                Arc::make_mut(mesh).normals.iter_mut().for_each(|n| *n = turn.direction(*n));
+            }
+            _ => {}
+        }
+    }
+    scene
+}
+
 fn moved(scene: &Scene, point: impl Fn(Vec3) -> Vec3, length: &dyn Fn(f64) -> f64) -> Scene {
     let mut scene = scene.clone();
     scene.camera.eye = point(scene.camera.eye);
@@ -82,5 +107,13 @@ mod tests {
         let there = shifted(&scene, vec3(64.0, -32.0, 16.0));
         assert_ne!(there, scene);
         assert!(there.check().is_empty());
+        // A quarter turn, four times.
+        let quarter = Affine {
+            axes: [vec3(0.0, 0.0, -1.0), vec3(0.0, 1.0, 0.0), vec3(1.0, 0.0, 0.0)],
+            offset: Vec3::ZERO,
+        };
+        let once = turned(&scene, &quarter);
+        assert_ne!(once, scene);
+        assert_eq!((0..3).fold(once, |scene, _| turned(&scene, &quarter)), scene);
     }
 }

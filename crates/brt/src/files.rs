@@ -8,7 +8,7 @@ use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
 use brt_scene::Scene;
 use thiserror::Error;
 
-use crate::layer_paint::LayerPainter;
+use crate::layer_paint::PicturePainter;
 use crate::layers::PictureLayer;
 use crate::measure::{ErrorMeasure, Verification};
 use crate::picture_files::{PictureFiles, layer_path};
@@ -145,7 +145,7 @@ pub fn render_into(
     let output = &with_channels_for(&settings, output);
     let encoding = output.encoding;
     let size = PictureSize::new(settings.size[0], settings.size[1]);
-    let painter = LayerPainter::new(scene, encoding);
+    let painter = PicturePainter::new(scene, encoding);
     let measure = (settings.checked != CheckedPixels::None).then(|| ErrorMeasure::new(encoding, &settings));
     let mut files = PictureFiles::open(output, set, size, painter, measure)?;
     let mut stats = render(scene, &settings, run, &mut files)?;

@@ -36,15 +36,7 @@ impl PictureLayer {
 
     /// Its name in file names and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Surface => "surface",
-            Self::Depth => "depth",
-            Self::Normal => "normal",
-            Self::History => "history",
-            Self::State => "state",
-            Self::Certificates => "certificates",
-            Self::Error => "error",
-        }
+        self.source().map_or("error", Layer::name)
     }
 
     /// What its picture shows, in a line.
@@ -85,10 +77,7 @@ impl PictureLayer {
 
     /// The transfer function of its picture: codes of data are proportional to it, false colours are colours.
     pub(crate) fn transfer(self) -> Transfer {
-        match self {
-            Self::Depth | Self::Normal | Self::State => Transfer::Linear,
-            Self::Surface | Self::History | Self::Certificates | Self::Error => Transfer::Srgb,
-        }
+        self.source().map_or(Transfer::Srgb, Layer::transfer)
     }
 
     /// Names of its channels in an EXR file, which holds values instead of colours where there are values.

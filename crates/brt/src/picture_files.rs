@@ -9,7 +9,7 @@ use brt_image::{
 use brt_render::{Rows, Sink, SinkError};
 
 use crate::files::Output;
-use crate::layer_paint::LayerPainter;
+use crate::layer_paint::PicturePainter;
 use crate::layers::PictureLayer;
 use crate::measure::{ErrorMeasure, Verification};
 
@@ -20,7 +20,7 @@ pub(crate) struct PictureFiles {
     files: Option<OpenFiles>,
     /// That of the stored picture.
     transfer: Transfer,
-    painter: LayerPainter,
+    painter: PicturePainter,
     measure: Option<ErrorMeasure>,
     /// Of measuring and painting.
     clock: WorkClock,
@@ -34,7 +34,7 @@ impl PictureFiles {
         output: &Output,
         set: &FileSet,
         size: PictureSize,
-        painter: LayerPainter,
+        painter: PicturePainter,
         measure: Option<ErrorMeasure>,
     ) -> Result<Self, EncodeError> {
         let files =
@@ -103,7 +103,7 @@ impl OpenFiles {
     }
 
     /// The time for painting goes to `clock`.
-    fn write(&mut self, rows: &Rows, painter: &LayerPainter, clock: &WorkClock) -> Result<(), EncodeError> {
+    fn write(&mut self, rows: &Rows, painter: &PicturePainter, clock: &WorkClock) -> Result<(), EncodeError> {
         match self {
             Self::Exr { encoder, layers } => {
                 let values: Vec<Vec<f32>> =

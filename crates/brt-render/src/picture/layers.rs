@@ -33,6 +33,18 @@ impl Layer {
     pub const ALL: [Self; 6] =
         [Self::Surface, Self::Depth, Self::Normal, Self::History, Self::State, Self::Certificates];
 
+    /// Its name in file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Surface => "surface",
+            Self::Depth => "depth",
+            Self::Normal => "normal",
+            Self::History => "history",
+            Self::State => "state",
+            Self::Certificates => "certificates",
+        }
+    }
+
     /// Is it read from the perspective image?
     pub(crate) fn needs_perspective_image(self) -> bool {
         matches!(self, Self::Surface | Self::Depth | Self::Normal)
@@ -66,6 +78,18 @@ impl LayerRows {
             Layer::History => Self::History(vec![RayHistory::default(); count]),
             Layer::State => Self::State(vec![SampleState::Pending; count]),
             Layer::Certificates => Self::Certificates(vec![None; count]),
+        }
+    }
+
+    /// The layer that these are rows of.
+    pub fn layer(&self) -> Layer {
+        match self {
+            Self::Surface(_) => Layer::Surface,
+            Self::Depth(_) => Layer::Depth,
+            Self::Normal(_) => Layer::Normal,
+            Self::History(_) => Layer::History,
+            Self::State(_) => Layer::State,
+            Self::Certificates(_) => Layer::Certificates,
         }
     }
 

@@ -4,6 +4,7 @@ mod band;
 mod filter;
 mod layers;
 mod mean;
+mod paint;
 mod sink;
 
 pub(crate) use band::{BandAssembler, FullTile, TilePicture};
@@ -11,4 +12,5 @@ pub use filter::Filter;
 pub(crate) use filter::{TileShares, reduce, reduce_alpha, reduce_into};
 pub use layers::{Layer, LayerRows};
 pub(crate) use layers::{LayerSources, tile_layer};
+pub use paint::LayerPainter;
 pub use sink::{KeptRows, Rows, Sink, SinkError};
