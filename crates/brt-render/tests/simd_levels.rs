@@ -73,7 +73,7 @@ fn every_method_gives_the_same_bits_at_every_level() {
         certified(1.0),
     ];
     for scene in [seed_scene("a"), seed_scene("b"), seed_scene("c"), all_shapes()] {
-        for method in methods.clone() {
+        for method in methods {
             let settings = Settings { method, ..Settings::new([75, 66]) };
             render_at_every_level(&scene, &settings, &Run::default());
         }

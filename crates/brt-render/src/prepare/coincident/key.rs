@@ -29,10 +29,8 @@ struct View {
 /// The keys of all primitives.
 pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb) -> Vec<Key> {
     let size = bounds.longest_side().max(f64::MIN_POSITIVE);
-    let view = View {
-        from: bounds.center() + vec3(1.618_034, 2.236_068, -1.414_214) * size,
-        along: vec3(0.564_19, -0.318_31, 0.761_594),
-    };
+    let view =
+        View { from: bounds.center() + vec3(1.617, 2.239, -1.423) * size, along: vec3(0.563, -0.327, 0.759) };
     let keys = (0_u32..).zip(primitives).map(|(id, primitive)| {
         let (place, error, size) = view.place_of(primitive);
         let error = error.min(WORST * (place - view.from).length());

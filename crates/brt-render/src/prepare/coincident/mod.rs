@@ -4,7 +4,7 @@
 //! faces met where its own rounding says, rays that leave the one would meet the other or not by chance: salt and pepper. So
 //! carriers that agree within rounding become one, to the bit ([`shared`]). Rays meet it at one distance for all that lie on
 //! it, of which the first counts, and what leaves it does not meet it again. What then is the same primitive twice is kept
-//! once ([`duplicates`]), so a face given a hundred thousand times costs no more than one.
+//! once ([`mod@duplicates`]), so a face given a hundred thousand times costs no more than one.
 
 mod duplicates;
 mod key;
