@@ -161,8 +161,8 @@ impl Grid {
     fn is_far(&self, point: Vec3) -> bool {
         let half = |axis: usize| 0.5 * self.cell[axis] * self.count[axis] as f64;
         let from_middle = |axis: usize| (point[axis] - self.lo[axis] - half(axis)).abs();
-        // Written so that what is not a number is far.
-        !(from_middle(0) + from_middle(1) + from_middle(2) <= self.farthest_start)
+        let distance = from_middle(0) + from_middle(1) + from_middle(2);
+        distance > self.farthest_start || distance.is_nan()
     }
 
     /// Distance at which the ray is first inside the grid; `None` if it passes by.

@@ -27,7 +27,7 @@ fn agreed(scene: &Scene, what: &str) -> Vec<[f32; 3]> {
     let exact = Method::Certified(CertifiedSettings { tolerance: 0.0 });
     for method in [Method::Full, exact] {
         for accelerator in ACCELERATORS {
-            let lost = differing(&colors(scene, method.clone(), accelerator), &expected);
+            let lost = differing(&colors(scene, method, accelerator), &expected);
             assert_eq!(lost, 0, "{what}: {lost} pixels by {method:?}, {accelerator:?}");
         }
     }
@@ -152,7 +152,7 @@ fn a_scene_far_from_the_origin_looks_as_it_does_there() {
     scene.add(Shape::Polygon { outline: corners.to_vec(), holes: Vec::new() }, matte);
     scene.lights.push(Light::Point { position: vec3(5.0, 8.0, 6.0), color: rgb(1.0, 1.0, 1.0) });
     let here = agreed(&scene, "at the origin");
-    for offset in [2_f64.powi(20), 2_f64.powi(33), 2_f64.powi(43)] {
+    for offset in [20.0, 33.0, 43.0].map(libm::exp2) {
         let there =
             agreed(&shifted(&scene, vec3(offset, -offset, 0.5 * offset)), &format!("{offset:e} away"));
         // All coordinates are multiples of a quarter: nothing is rounded by moving them.
