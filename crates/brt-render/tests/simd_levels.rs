@@ -43,7 +43,7 @@ fn broken_promise(scene: &Scene, settings: &Settings, tolerance: f64) -> Option<
 }
 
 proptest! {
-    #![proptest_config(seeded(2013, 120))]
+    #![proptest_config(seeded(2013, 300))]
 
     #[test]
     fn certified_keeps_its_promise_with_every_accelerator_at_every_level(
