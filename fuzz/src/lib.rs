@@ -7,10 +7,8 @@ use std::sync::OnceLock;
 
 use base64::Engine as _;
 use brt_formats::{Format, Limits, ParseError, import, load};
-use brt_image::Transfer;
-use brt_render::{Accelerator, CertifiedSettings};
 use brt_scene::{Report, Scene};
-use brt_testkit::{Choices, HardKind, Trial, broken_promise, hard_scene};
+use brt_testkit::{broken_promise, tiny_trial};
 use libfuzzer_sys::Corpus;
 
 /// A PNG of 2 × 2 pixels.
@@ -94,16 +92,9 @@ fn check_places(report: &Report, bytes: &[u8]) {
 /// # Panics
 /// If they differ; the message holds the scene as a file.
 pub fn render_tiny(bytes: &[u8]) -> Corpus {
-    let mut choices = Choices::new(bytes);
-    let kind = choices.pick(&HardKind::ALL);
-    // Fewer samples than 48 are traced whatever is known of them.
-    let size = [choices.pick(&[12, 9, 4, 11]), choices.pick(&[12, 9, 4, 10])];
-    let transfer = choices.pick(&[Transfer::Linear, Transfer::Srgb]);
-    let certified = CertifiedSettings { tolerance: choices.pick(&[1.0, 1.0, 0.1]) };
-    let accelerator = choices.pick(&[Accelerator::Bvh, Accelerator::None, Accelerator::Extents, Accelerator::Grid]);
-    let Some(scene) = hard_scene(kind, &mut choices) else { return Corpus::Reject };
-    if let Some(broken) = broken_promise(&scene, &Trial { size, accelerator, certified, transfer }) {
-        panic!("{}: {broken}", kind.name());
+    let Some((scene, trial)) = tiny_trial(bytes) else { return Corpus::Reject };
+    if let Some(broken) = broken_promise(&scene, &trial) {
+        panic!("{broken}");
     }
     Corpus::Keep
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
 use brt_formats::write_toml;
+use brt_geometry::SimdLevel;
 use brt_image::Transfer;
 use brt_render::{Accelerator, CertifiedSettings};
 use brt_scene::Scene;
@@ -28,7 +29,13 @@ pub(crate) fn run(kinds: &[HardKind], pixels: u64, seed: u64) -> Result<()> {
         let path = keep(scene.clone(), &trial, kind, seed)?;
         if let Some(report) = broken_promise(&scene, &trial) {
             let (what, _) = report.split_once('\n').unwrap_or((&report, ""));
-            println!("{} seed {seed} {:?}: {what}; {}", kind.name(), trial.accelerator, path.display());
+            println!(
+                "{} seed {seed} {:?} {}: {what}; {}",
+                kind.name(),
+                trial.accelerator,
+                trial.simd,
+                path.display()
+            );
             let (method, _) = what.split_once(':').unwrap_or((what, ""));
             *broken.entry(format!("{}, {method}", kind.name())).or_default() += 1;
         } else {
@@ -47,6 +54,7 @@ fn any_trial(random: &mut Random) -> Trial {
     Trial {
         size: [8 + random.below(64), 8 + random.below(48)],
         accelerator: random.pick(&Accelerator::ALL),
+        simd: random.pick(&SimdLevel::ALL),
         certified: CertifiedSettings { tolerance },
         transfer,
     }

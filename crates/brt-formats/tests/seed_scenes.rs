@@ -18,6 +18,7 @@ fn mirrors(scene: &Scene, kind: &str) -> usize {
     scene.objects.iter().filter(|o| o.shape.kind() == kind && is_mirror(o.material)).count()
 }
 
+/// Paper: P7.
 #[test]
 fn a_has_two_mirror_planes_and_a_mirror_ball_of_four() {
     let a = seed("a");

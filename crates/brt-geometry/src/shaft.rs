@@ -1,4 +1,4 @@
-//! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most seven half-spaces.
+//! Shafts: convex bundles of rays (Haines, Wallace 1991), bounded by at most seven half-spaces. Paper: P20.
 
 use crate::{Aabb, BOX_MARGIN, COORDINATE_ROUNDING, Primitive, Real, Taylor, Vec3};
 

@@ -160,10 +160,30 @@ fn check_claims(page: &str, folder: &Path) {
         let holds_tests =
             |path: &str| fs::read_to_string(root.join(path)).is_ok_and(|t| t.contains("#[test]"));
         assert!(quoted(test).all(holds_tests), "{name}: no test in {test}");
+        for path in [code, test].into_iter().flat_map(quoted) {
+            let named = claims_in(&root.join(path));
+            assert!(named.contains(name), "{path} does not say \"Paper: {name}\" but {named:?}");
+        }
         let anchor = quoted(experiment).next().and_then(|e| e.strip_prefix('#')).expect(name);
         assert!(page.contains(&format!("<h2 id=\"{anchor}\"")), "{name}: no figure {anchor}");
         assert_eq!(own[2], anchor, "{name}: claims.md and the verdict name different figures");
     }
+}
+
+/// The claims that a file, or the files of a folder, name after "Paper:"; `P3–P6` are four of them.
+fn claims_in(path: &Path) -> BTreeSet<String> {
+    if path.is_dir() {
+        return fs::read_dir(path).unwrap().flat_map(|entry| claims_in(&entry.unwrap().path())).collect();
+    }
+    let text = fs::read_to_string(path).unwrap();
+    let lists = text.split("Paper: ").skip(1).filter_map(|rest| rest.lines().next());
+    let words = lists.flat_map(|list| list.split([',', ' ', '.']).filter(|word| word.starts_with('P')));
+    let number = |name: &str| name.trim_start_matches('P').parse::<u32>().ok();
+    let range = |word: &str| {
+        let (first, last) = word.split_once('–').unwrap_or((word, word));
+        Some(number(first)?..=number(last)?)
+    };
+    words.filter_map(range).flatten().map(|number| format!("P{number}")).collect()
 }
 
 /// Texts in backquotes.

@@ -1,4 +1,4 @@
-//! What is rendered: everything that a picture depends on besides the scene.
+//! What is rendered: everything that a picture depends on besides the scene. Paper: P1.
 
 use brt_scene::Scene;
 

@@ -181,7 +181,7 @@ fn named_scenes_are_within_the_tolerance() {
     }
 }
 
-/// Paper: P17, P19.
+/// Paper: P17, P19, P20.
 #[test]
 fn adversary_has_no_pixel_above_the_tolerance_and_border_has_thousands() {
     let scene = named("adversary");

@@ -31,7 +31,7 @@ fn work(table: &mut String, name: &str, method: &Method, stats: &Stats) {
     assert_eq!(pixels.traced + pixels.shaded + pixels.filled, 256 * 256);
     let counts =
         [pixels.traced, pixels.shaded, pixels.filled, rays.camera, rays.shadow, rays.mirror, rays.refracted];
-    let counts = counts.map(|count| format!("{count:>9}")).concat();
+    let counts = counts.map(|count| format!("{count:>10}")).concat();
     writeln!(table, "{name:10} {:14}{counts}", method.name()).unwrap();
 }
 
@@ -45,7 +45,7 @@ fn scenes_cost_what_they_did() {
         Method::Border(BorderSettings::default()),
     ];
     let mut table = format!(
-        "{:10} {:14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
+        "{:10} {:14}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
         "scene", "method", "traced", "shaded", "filled", "camera", "shadow", "mirror", "refracted"
     );
     for name in ["a", "b", "c"] {

@@ -75,6 +75,7 @@ fn assert_same(scene: &Scene, size: [u32; 2]) {
 proptest! {
     #![proptest_config(seeded(1987, 800))]
 
+    /// Paper: P1, P3, P10.
     #[test]
     fn all_ways_to_trace_every_sample_agree_bit_for_bit(
         AnyScene(scene) in any_scene(8),

@@ -1,11 +1,15 @@
 //! Scenes at the limits of what can be computed: the exact methods agree bit for bit, and `certified` keeps its promise,
 //! with every accelerator. Longer: `cargo xtask certify-views --kind all`, and the fuzz target `render_tiny`.
 
+use std::fs;
+use std::path::Path;
+
+use brt_geometry::SimdLevel;
 use brt_image::Transfer;
 use brt_render::{Accelerator, CertifiedSettings, Method, Run, Settings};
 use brt_testkit::{
     AnyScene, HardKind, Trial, any_doubled_scene, any_hard_scene, broken_promise, first_difference,
-    render_to_image, replay_hint, seeded,
+    render_to_image, replay_hint, seeded, tiny_trial,
 };
 use proptest::prelude::*;
 
@@ -13,10 +17,12 @@ fn any_trial() -> impl Strategy<Value = Trial> {
     let tolerance = prop_oneof![Just(1.0), 0.05..3.0];
     let transfer = prop::sample::select(vec![Transfer::Linear, Transfer::Srgb]);
     let accelerator = prop::sample::select(Accelerator::ALL.to_vec());
-    (8_u32..80, 8_u32..60, accelerator, tolerance, transfer).prop_map(
-        |(width, height, accelerator, tolerance, transfer)| Trial {
+    let simd = prop::sample::select(SimdLevel::ALL.to_vec());
+    (8_u32..80, 8_u32..60, accelerator, simd, tolerance, transfer).prop_map(
+        |(width, height, accelerator, simd, tolerance, transfer)| Trial {
             size: [width, height],
             accelerator,
+            simd,
             certified: CertifiedSettings { tolerance },
             transfer,
         },
@@ -65,4 +71,19 @@ proptest! {
             prop_assert!(hint.is_none(), "{}", hint.unwrap_or_default());
         }
     }
+}
+
+/// What the fuzzer found worth keeping: bytes that reach much of the code.
+#[test]
+fn promises_hold_for_the_corpus_of_the_fuzzer() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/render_tiny");
+    let mut tried = 0;
+    for file in fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        let (scene, trial) = tiny_trial(&fs::read(&path).unwrap()).unwrap();
+        let broken = broken_promise(&scene, &trial);
+        assert!(broken.is_none(), "{}: {}", path.display(), broken.unwrap_or_default());
+        tried += 1;
+    }
+    assert!(tried > 50, "{tried} files");
 }

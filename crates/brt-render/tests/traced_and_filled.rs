@@ -1,8 +1,8 @@
 //! Methods that fill: what they trace is exact, what they fill lies between, and the counts add up.
 
 use brt_render::{
-    CheckedPixels, DifferenceDelta, HistoryKind, Layer, Method, PixelSelectedSettings, Run, SampleGrid,
-    SampleState, Settings,
+    BorderSettings, CheckedPixels, DifferenceDelta, HistoryKind, Layer, Method, PixelSelectedSettings, Run,
+    SampleGrid, SampleState, Settings,
 };
 use brt_scene::Scene;
 use brt_testkit::{
@@ -144,5 +144,25 @@ fn samples_of_every_state_add_up_with_several_samples_a_pixel() {
             assert_eq!(stats.pixels.traced + stats.pixels.filled, stats.pixels.total);
             assert_eq!(stats.pixels.traced, stats.rays.camera);
         }
+    }
+}
+
+/// The share of samples that a method traces of the paper's scenes, at a width.
+fn traced_share(name: &str, method: Method, side: u32) -> f64 {
+    let settings = Settings { method, ..Settings::new([side, side]) };
+    let pixels = render_with_layers(&seed_scene(name), &settings, &Run::default()).stats.pixels;
+    pixels.traced as f64 / pixels.total as f64
+}
+
+/// Paper: P2, P9.
+#[test]
+fn border_traces_fewer_samples_than_pixel_selected_and_fewer_of_larger_pictures() {
+    let border = Method::Border(BorderSettings::default());
+    let pixel_selected = Method::PixelSelected(PixelSelectedSettings::default());
+    for name in ["a", "b", "c"] {
+        let [small, large] = [128, 256].map(|side| traced_share(name, border, side));
+        assert!(large < 0.85 * small, "{name}: {large} of 256², {small} of 128²");
+        let selected = traced_share(name, pixel_selected, 256);
+        assert!(large < 0.85 * selected, "{name}: {large} by border, {selected} by pixel-selected");
     }
 }

@@ -14,7 +14,9 @@ mod random;
 mod strategies;
 
 pub use golden::{Golden, GoldenError};
-pub use hard::{Choices, HardKind, any_doubled_scene, any_hard_scene, doubled_scene, hard_bytes, hard_scene};
+pub use hard::{
+    Choices, HardKind, any_doubled_scene, any_hard_scene, doubled_scene, hard_bytes, hard_scene, tiny_trial,
+};
 pub use levels::{
     render_at_every_level, render_at_levels, render_stored_at_every_level, render_stored_at_levels,
 };

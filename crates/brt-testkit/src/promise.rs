@@ -1,5 +1,6 @@
 //! What all methods promise of any scene, tried on one: the same bits, or within the tolerance.
 
+use brt_geometry::SimdLevel;
 use brt_image::Transfer;
 use brt_render::{Accelerator, CertifiedSettings, Layer, Method, RayOrder, Run, SampleState, Settings};
 use brt_scene::Scene;
@@ -13,18 +14,12 @@ pub struct Trial {
     pub size: [u32; 2],
     /// What saves tests of primitives.
     pub accelerator: Accelerator,
+    /// Which vector instructions are used.
+    pub simd: SimdLevel,
     /// How far filled pixels may be off.
     pub certified: CertifiedSettings,
     /// How the picture is stored: what the tolerance is measured by.
     pub transfer: Transfer,
-}
-
-impl Trial {
-    /// With the usual accelerator, within one level of linear values.
-    pub fn new(size: [u32; 2]) -> Self {
-        let certified = CertifiedSettings { tolerance: 1.0 };
-        Self { size, accelerator: Accelerator::Bvh, certified, transfer: Transfer::Linear }
-    }
 }
 
 /// What a scene that is fit to be rendered breaks, in words, with the scene itself; `None` if nothing:
@@ -35,7 +30,8 @@ impl Trial {
 pub fn broken_promise(scene: &Scene, trial: &Trial) -> Option<String> {
     let settings = |method| Settings { method, accelerator: trial.accelerator, ..Settings::new(trial.size) };
     let rendered = |settings: &Settings, rays| {
-        render_stored(scene, settings, &Run { threads: 1, rays, ..Run::default() }, trial.transfer)
+        let run = Run { threads: 1, rays, simd: trial.simd, ..Run::default() };
+        render_stored(scene, settings, &run, trial.transfer)
     };
     let reference = rendered(&settings(Method::Reference), RayOrder::Single).colors;
     let check = |what: &str, settings: &Settings, colors: &[[f32; 3]], is_kept: &dyn Fn(usize) -> bool| {

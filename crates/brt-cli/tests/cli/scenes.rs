@@ -1,5 +1,8 @@
 //! `brt inspect`, `convert`, `scene` and `formats`.
 
+use std::fs;
+use std::path::Path;
+
 use crate::bench::Bench;
 
 #[test]
@@ -61,4 +64,25 @@ fn formats_are_listed() {
     for extension in [".toml", ".nff", ".pov", ".dat", ".png", ".ppm", ".exr"] {
         assert!(list.text().contains(extension), "{extension}");
     }
+}
+
+/// What is kept as a file is what its program makes.
+#[test]
+fn the_gallery_is_what_its_programs_make() {
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/gallery");
+    let mut scenes = 0;
+    for file in fs::read_dir(gallery).unwrap() {
+        let path = file.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            let made = Bench::new().done(&format!("scene {name}"));
+            assert!(
+                made.text() == fs::read_to_string(&path).unwrap(),
+                "brt scene {name} -o {}",
+                path.display()
+            );
+            scenes += 1;
+        }
+    }
+    assert!(scenes > 0);
 }

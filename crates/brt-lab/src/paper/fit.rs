@@ -1,4 +1,4 @@
-//! Power laws and interpolation.
+//! Power laws and interpolation. Paper: P8.
 #![expect(clippy::disallowed_methods, reason = "measured times are fitted, not rendered")]
 
 /// The exponent k of y = c·xᵏ by least squares of the logarithms. `None` for fewer than two different x.

@@ -1,4 +1,4 @@
-//! Border ray tracing (Hashimoto, Suenaga 1987). Paper: P3–P6.
+//! Border ray tracing (Hashimoto, Suenaga 1987). Paper: P3–P6, P17.
 //!
 //! The perspective image tells which surfaces a block shows. A block with one or two of them is judged region by region
 //! on four traced samples; a region is interpolated if their ray histories are equal and their brightness is even

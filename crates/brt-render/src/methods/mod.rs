@@ -1,4 +1,4 @@
-//! Methods: which samples of a tile are traced, and which are filled. None knows another.
+//! Methods: which samples of a tile are traced, and which are filled. None knows another. Paper: P2.
 
 mod border;
 mod certified;

@@ -1,4 +1,4 @@
-//! Pixel-selected ray tracing, PSRT (Akimoto, Mase 1986; Akimoto, Mase, Suenaga 1991).
+//! Pixel-selected ray tracing, PSRT (Akimoto, Mase 1986; Akimoto, Mase, Suenaga 1991). Paper: P9.
 //!
 //! Traces the corners of a block. If their ray histories agree and no brightness differs from the mean by more than
 //! Δ, the block is interpolated, else divided. There is no perspective image: objects between the corners are lost.

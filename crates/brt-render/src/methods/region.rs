@@ -1,4 +1,4 @@
-//! Regions: the parts of a block that show one surface. Paper: P6, reading 1.
+//! Regions: the parts of a block that show one surface. Paper: P4, P6, reading 1.
 
 use crate::products::{Block, PerspectiveImage, SampleState, Tile};
 

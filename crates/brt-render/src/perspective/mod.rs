@@ -1,4 +1,4 @@
-//! The perspective image: what each sample sees first, made without rays. Paper: P3.
+//! The perspective image: what each sample sees first, made without rays. Paper: P3, P11.
 //!
 //! [`outlines`] projects every primitive once and sorts them into bands. A tile is then divided like Warnock (1969)
 //! until one primitive certainly covers a block before all others, by bounds over the whole block; what is left at

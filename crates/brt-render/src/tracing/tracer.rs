@@ -23,7 +23,7 @@ pub(crate) struct TracedSample {
     pub(crate) history: RayHistory,
 }
 
-/// Traces samples and counts rays.
+/// Traces samples and counts rays. Where the first hit is known it is not searched. Paper: P4, P10.
 pub(crate) struct Tracer<'a> {
     pub(super) scene: &'a PreparedScene,
     pub(super) search: Search<'a>,

@@ -43,7 +43,7 @@ impl<'a> Choices<'a> {
 
     /// A power of ten with an exponent in [lo, hi): `10^lo` when bytes have run out.
     pub fn magnitude(&mut self, lo: f64, hi: f64) -> f64 {
-        10.0_f64.powf(self.between(lo, hi))
+        libm::pow(10.0, self.between(lo, hi))
     }
 
     /// In [-half, half]; twice in three times one of nine even steps, so that things touch and lie in one plane.

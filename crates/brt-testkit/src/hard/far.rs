@@ -20,7 +20,7 @@ fn aim(choices: &mut Choices, eye: Vec3, target: &Target) -> Camera {
     let projection = if choices.one_in(8) {
         Projection::Orthographic { extent: width }
     } else {
-        Projection::Perspective { fov_deg: 2.0 * (0.5 * width / distance).atan().to_degrees() }
+        Projection::Perspective { fov_deg: 2.0 * libm::atan(0.5 * width / distance).to_degrees() }
     };
     let up = choices.pick(&[vec3(0.3, 0.5, 0.8), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0)]);
     Camera { eye, look_at, up, projection }

@@ -9,13 +9,15 @@ mod far;
 mod materials;
 mod things;
 
-use brt_geometry::{Affine, Vec3, vec3};
+use brt_geometry::{Affine, SimdLevel, Vec3, vec3};
+use brt_image::Transfer;
+use brt_render::{Accelerator, CertifiedSettings};
 use brt_scene::{Camera, Material, Projection, Scene, Shape};
 use proptest::prelude::*;
 
 pub use self::choices::Choices;
 use crate::moves::{scaled, shifted, turned};
-use crate::{AnyScene, Random};
+use crate::{AnyScene, Random, Trial};
 
 /// What makes a scene hard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,6 +104,21 @@ pub fn any_doubled_scene() -> impl Strategy<Value = [AnyScene; 2]> {
     })
 }
 
+/// Any bytes as a scene and a trial in a picture of a few pixels: what the fuzz target `render_tiny` tries.
+pub fn tiny_trial(bytes: &[u8]) -> Option<(Scene, Trial)> {
+    let mut choices = Choices::new(bytes);
+    let kind = choices.pick(&HardKind::ALL);
+    // Fewer samples than 48 are traced whatever is known of them.
+    let size = [choices.pick(&[12, 9, 4, 11]), choices.pick(&[12, 9, 4, 10])];
+    let transfer = choices.pick(&[Transfer::Linear, Transfer::Srgb]);
+    let certified = CertifiedSettings { tolerance: choices.pick(&[1.0, 1.0, 0.1]) };
+    let accelerator =
+        choices.pick(&[Accelerator::Bvh, Accelerator::None, Accelerator::Extents, Accelerator::Grid]);
+    let simd = choices.pick(&[SimdLevel::Widest, SimdLevel::Baseline, SimdLevel::Avx2]);
+    let scene = hard_scene(kind, &mut choices)?;
+    Some((scene, Trial { size, accelerator, simd, certified, transfer }))
+}
+
 /// Random bytes for [`hard_scene`].
 pub fn hard_bytes(random: &mut Random) -> Vec<u8> {
     (0..HARD_BYTES).map(|_| random.below(256) as u8).collect()
@@ -154,7 +171,7 @@ fn moved(choices: &mut Choices, scene: &Scene, farthest: f64) -> Option<Scene> {
         scene = turned(&scene, &turn_to(choices.direction()));
     }
     if farthest > 1e3 || choices.one_in(4) {
-        let offset = choices.direction() * choices.magnitude(0.0, farthest.log10());
+        let offset = choices.direction() * choices.magnitude(0.0, libm::log10(farthest));
         scene = shifted(&scene, offset);
     }
     if choices.one_in(2) {

@@ -26,7 +26,7 @@ pub(super) fn any(choices: &mut Choices, center: Vec3, radius: f64) -> Shape {
 fn ring(center: Vec3, normal: Vec3, count: usize, reach: impl Fn(usize) -> f64) -> Vec<Vec3> {
     let (u, v) = normal.tangents();
     let corner = |i: usize| {
-        let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
+        let (sin, cos) = libm::sincos(TAU * i as f64 / count as f64);
         center + (u * cos + v * sin) * reach(i)
     };
     (0..count).map(corner).collect()

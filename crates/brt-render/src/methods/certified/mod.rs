@@ -1,4 +1,5 @@
-//! Certified ray tracing: what is not traced is proven. Answers the paper's own future work, P17, P19 and P20.
+//! Certified ray tracing: what is not traced is proven. Answers the paper's own future work.
+//! Paper: P17, P19, P20.
 //!
 //! A block of samples that show one primitive is followed along its mirror rays, level by level, as Taylor models
 //! ([`follow`]). At each level certificates try to prove what every ray of the block meets and which lights it sees
