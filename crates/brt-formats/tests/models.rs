@@ -326,7 +326,7 @@ fn vrml_that_lies_is_refused() {
     for i in 0..60 {
         uses += &format!("DEF A{} Group {{ children [ USE A{i} USE A{i} ] }}\n", i + 1);
     }
-    assert!(refused(Format::Vrml, uses.as_bytes()).contains("1e18 instances"));
+    assert!(refused(Format::Vrml, uses.as_bytes()).contains("e18 instances"));
     // Nothing, however often, is nothing.
     let empty = uses.replace("Shape { geometry Sphere { } }", "Group { }");
     assert!(refused(Format::Vrml, empty.as_bytes()).contains("nothing to see"));
