@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::formats::{LimitExceeded, LimitKind, ParseError};
+use brt::formats::ParseError;
 use brt::image::Place;
 use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, import, library, load_as};
 use clap::Args;
@@ -29,31 +29,31 @@ pub(crate) struct InputOptions {
 #[derive(Clone, Copy, Debug, Args)]
 #[command(next_help_heading = "Limits")]
 pub(crate) struct LimitOptions {
-    /// Refuse scenes of more primitives
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_OBJECTS)]
-    max_objects: u64,
-    /// Refuse larger scene files [default: 1073741824]
-    #[arg(long, value_name = "N")]
-    max_bytes: Option<u64>,
+    /// Refuse scenes that need more memory for files, pictures and all they show, such as 512MiB, 2GB or a number of bytes
+    /// [default: half of the machine's, at most 8GiB]
+    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
+    max_memory: Option<u64>,
+    /// Read small files that need much memory, too: above 512 MiB more than 10,000 times what was read, or parts of a zip
+    /// file of more than 16 MiB that were packed to less than a hundredth
+    #[arg(long)]
+    allow_expansion: bool,
     /// Read files that the scene names from outside of its folder, too
     #[arg(long)]
     allow_outside: bool,
 }
 
 impl LimitOptions {
-    /// The limits, with those that have no option of their own raised along: a file has fewer words than bytes, and a
-    /// triangle has three points.
-    pub(crate) fn limits(self, max_pixels: u64) -> Limits {
-        let Self { max_objects, max_bytes, allow_outside } = self;
+    /// The limits of the library.
+    pub(crate) fn limits(self, max_pixels: u64) -> Limits<'static> {
+        let Self { max_memory, allow_expansion, allow_outside } = self;
         let defaults = Limits::default();
         Limits {
-            bytes: max_bytes.unwrap_or(defaults.bytes),
-            words: max_bytes.map_or(defaults.words, |bytes| bytes.max(defaults.words)),
-            objects: max_objects,
-            points: defaults.points.max(max_objects.saturating_mul(3)),
+            memory: max_memory.unwrap_or(defaults.memory),
+            any_expansion: allow_expansion,
             max_picture_pixels: max_pixels,
-            texture_pixels: defaults.texture_pixels,
             files_outside: allow_outside,
+            // Nothing is begun while a scene is read: a signal ends the process at once.
+            cancel: None,
         }
     }
 }
@@ -112,20 +112,15 @@ fn read_file(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Sce
 fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = "standard input".to_owned();
     let mut bytes = Vec::new();
-    io::stdin().lock().take(limits.bytes.saturating_add(1)).read_to_end(&mut bytes)?;
+    io::stdin().lock().take(limits.file_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
     let format = format.or_else(|| Format::from_content(&bytes)).unwrap_or(Format::Toml);
     match import(format, &bytes, None, limits) {
         Ok(Imported { scene, report, given, files }) => {
             Ok(SceneInput { scene, report, given, files, text: text_of(bytes), name })
         }
         Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
-        Err(error) => {
-            let hint = match &error {
-                ParseError::LimitExceeded(exceeded) => limit_hint(exceeded),
-                _ => None,
-            };
-            Err(Failure::CouldNot { error: anyhow::anyhow!("{name}: {error}"), hint })
-        }
+        Err(ParseError::Cancelled) => Err(Failure::Interrupted),
+        Err(error) => Err(anyhow::anyhow!("{name}: {error}").into()),
     }
 }
 
@@ -146,21 +141,10 @@ fn cannot_load(path: &Path, error: LoadError) -> Failure {
             let name = path.to_str().filter(|name| library::find(name).is_some());
             name.map(|name| format!("`brt scene {name} -o {name}.toml` writes our scene of that name"))
         }
-        LoadError::LimitExceeded { exceeded, .. } => limit_hint(exceeded),
+        LoadError::Cancelled { .. } => return Failure::Interrupted,
         _ => None,
     };
     Failure::CouldNot { error: error.into(), hint }
-}
-
-/// Which option raises a limit.
-fn limit_hint(exceeded: &LimitExceeded) -> Option<String> {
-    let option = match exceeded.what {
-        LimitKind::Bytes | LimitKind::Words => "--max-bytes",
-        LimitKind::Objects | LimitKind::Points => "--max-objects",
-        LimitKind::PicturePixels => "--max-pixels",
-        LimitKind::TexturePixels => return None,
-    };
-    Some(format!("`{option} N` allows more"))
 }
 
 /// Refuses to write a file over one that the scene is made of.

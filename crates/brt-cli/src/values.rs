@@ -2,6 +2,7 @@
 
 use brt::framing::{Up, View};
 use brt::{BitDepth, Format, PictureLayer, Rgb, Samples, SimdLevel, Transfer, rgb};
+use bytesize::ByteSize;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// `WIDTHxHEIGHT` in pixels.
@@ -44,6 +45,12 @@ pub(crate) fn up(text: &str) -> Result<Up, String> {
     let named = |(known, _): &(&str, Up)| *known == name || known.strip_prefix('+') == Some(&name);
     let found = Up::ALL.into_iter().find(named);
     found.map(|(_, up)| up).ok_or_else(|| "expected one of +x, -x, +y, -y, +z, -z".to_owned())
+}
+
+/// A size in bytes, with a unit or without.
+pub(crate) fn bytes(text: &str) -> Result<u64, String> {
+    let expected = |_| "expected a size such as 512MiB, 2GB or 1073741824 (bytes)".to_owned();
+    text.parse::<ByteSize>().map(|size| size.as_u64()).map_err(expected)
 }
 
 /// A finite number above 0.

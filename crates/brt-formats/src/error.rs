@@ -4,9 +4,11 @@ use std::io;
 use std::path::PathBuf;
 
 use brt_scene::{Diagnostic, Report, Severity};
+use bytesize::ByteSize;
 use thiserror::Error;
 
-use crate::{Foreign, Format, LimitKind};
+use crate::budget::Halt;
+use crate::{Foreign, Format};
 
 /// Why a scene file could not be loaded.
 #[derive(Debug, Error)]
@@ -68,6 +70,12 @@ pub enum LoadError {
         /// Which limit.
         exceeded: LimitExceeded,
     },
+    /// [`Limits::cancel`](crate::Limits::cancel) became true.
+    #[error("{}: reading was cancelled", path.display())]
+    Cancelled {
+        /// The file.
+        path: PathBuf,
+    },
 }
 
 /// Why bytes could not be understood as a scene.
@@ -89,6 +97,18 @@ pub enum ParseError {
     /// The text asks for more than the [`Limits`](crate::Limits) allow.
     #[error(transparent)]
     LimitExceeded(#[from] LimitExceeded),
+    /// [`Limits::cancel`](crate::Limits::cancel) became true.
+    #[error("reading was cancelled")]
+    Cancelled,
+}
+
+impl From<Halt> for ParseError {
+    fn from(halt: Halt) -> Self {
+        match halt {
+            Halt::Limit(limit) => Self::LimitExceeded(limit),
+            Halt::Cancelled => Self::Cancelled,
+        }
+    }
 }
 
 /// The format can be read, but not written.
@@ -96,14 +116,72 @@ pub enum ParseError {
 #[error("a {} can be read, but not written", .0.name())]
 pub struct OnlyRead(pub Format);
 
-/// A file asks for more than the [`Limits`](crate::Limits) allow.
-#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-#[error("more than {limit} {what}")]
-pub struct LimitExceeded {
-    /// Which limit.
-    pub what: LimitKind,
-    /// Its value.
-    pub limit: u64,
+/// A file asks for more than the [`Limits`](crate::Limits) allow. The message names the option of `brt` that allows more.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LimitExceeded {
+    /// More than [`Limits::memory`](crate::Limits::memory).
+    #[error("with {what} it needs {} of memory, but {} are allowed: `--max-memory SIZE` allows more",
+            size(*needed), size(*allowed))]
+    Memory {
+        /// What there is too much of, with its number.
+        what: String,
+        /// Bytes that everything up to it takes, at least.
+        needed: u64,
+        /// Bytes that are allowed.
+        allowed: u64,
+    },
+    /// A multiple of what was read, which [`Limits::any_expansion`](crate::Limits::any_expansion) would allow.
+    #[error("with {what} it needs {} of memory, but only {} were read: `--allow-expansion` lets that pass",
+            size(*needed), size(*read))]
+    Expansion {
+        /// What there is too much of, with its number.
+        what: String,
+        /// Bytes that everything up to it takes.
+        needed: u64,
+        /// Bytes of all files that were read.
+        read: u64,
+    },
+    /// A packed part unpacks to a multiple of its size, which
+    /// [`Limits::any_expansion`](crate::Limits::any_expansion) would allow.
+    #[error("`{name}` unpacks to more than {times} times its {}: `--allow-expansion` lets that pass", size(*packed))]
+    Unpacking {
+        /// Name of the part.
+        name: String,
+        /// Its bytes.
+        packed: u64,
+        /// How many times more may be in it.
+        times: u64,
+    },
+    /// A file, or a part of one, is larger than an eighth of [`Limits::memory`](crate::Limits::memory).
+    #[error("{} are too many for one file, which may have {}, an eighth of the memory that is allowed: `--max-memory SIZE` \
+             allows more", size(*bytes), size(*allowed))]
+    File {
+        /// Bytes of the file, as far as it was looked at.
+        bytes: u64,
+        /// Bytes that are allowed.
+        allowed: u64,
+    },
+    /// More than [`Limits::max_picture_pixels`](crate::Limits::max_picture_pixels).
+    #[error("a picture of {pixels} pixels, but {allowed} are allowed: `--max-pixels N` allows more")]
+    PicturePixels {
+        /// Pixels that the file asks for.
+        pixels: u64,
+        /// Pixels that are allowed.
+        allowed: u64,
+    },
+    /// The machine has no more.
+    #[error("there is no memory for {what}, {}", size(*needed))]
+    Machine {
+        /// What there is no room for.
+        what: String,
+        /// Bytes that it takes.
+        needed: u64,
+    },
+}
+
+fn size(bytes: u64) -> String {
+    if bytes == u64::MAX { "16 EiB or more".to_owned() } else { ByteSize(bytes).to_string() }
 }
 
 fn first_error(report: &Report) -> String {

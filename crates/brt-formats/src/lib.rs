@@ -17,6 +17,7 @@
 //! assert_eq!(parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap().0, scene);
 //! ```
 
+mod budget;
 mod dat;
 mod error;
 mod foreign;
@@ -26,6 +27,7 @@ mod import;
 mod limits;
 mod load;
 mod losses;
+mod machine;
 mod meshes;
 mod nff;
 mod numerals;
@@ -45,7 +47,7 @@ mod write;
 pub use error::{LimitExceeded, LoadError, OnlyRead, ParseError};
 pub use foreign::Foreign;
 pub use format::Format;
-pub use limits::{LimitKind, Limits};
+pub use limits::Limits;
 pub use load::{Given, Imported, Loaded, import, load, load_as, parse};
 pub use toml::write_toml;
 pub use write::{FileBeside, Written, write, write_beside};

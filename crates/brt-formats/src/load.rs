@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use brt_scene::framing::Up;
 use brt_scene::{MaterialId, Report, Scene};
 
+use crate::budget::{Budget, Halt};
 use crate::import::Beside;
-use crate::{Foreign, Format, LimitExceeded, LimitKind, Limits, LoadError, ParseError};
+use crate::{Foreign, Format, Limits, LoadError, ParseError};
 use crate::{gltf, nff, obj, off, ply, stl, threemf, toml, vrml};
 
 /// A scene file that was read.
@@ -69,8 +70,8 @@ impl Given {
 /// Reads a scene file; its format is known by its content where that is sure, else by its extension.
 ///
 /// # Errors
-/// See [`LoadError`]. At most [`Limits::bytes`] + 1 bytes are read, from devices without an end, too. A named pipe
-/// is refused, since opening it may wait for ever.
+/// See [`LoadError`]. Not more is read than an eighth of [`Limits::memory`], from devices without an end, too. A named
+/// pipe is refused, since opening it may wait for ever.
 pub fn load(path: &Path, limits: &Limits) -> Result<Loaded, LoadError> {
     load_as(path, None, limits)
 }
@@ -80,11 +81,7 @@ pub fn load(path: &Path, limits: &Limits) -> Result<Loaded, LoadError> {
 /// # Errors
 /// See [`load`].
 pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Loaded, LoadError> {
-    let bytes =
-        read_file(path, limits.bytes).map_err(|source| LoadError::Io { path: path.to_owned(), source })?;
-    if let Err(exceeded) = limits.allows(LimitKind::Bytes, bytes.len() as u64) {
-        return Err(LoadError::LimitExceeded { path: path.to_owned(), exceeded });
-    }
+    let bytes = read_file(path, limits)?;
     let format = match format.or_else(|| format_of(path, &bytes)) {
         Some(format) => format,
         None => {
@@ -144,13 +141,19 @@ pub fn import(
     folder: Option<&Path>,
     limits: &Limits,
 ) -> Result<Imported, ParseError> {
-    limits.allows(LimitKind::Bytes, bytes.len() as u64)?;
-    let mut beside = Beside::new(folder, limits);
-    let imported = read(format, bytes, &mut beside, limits)?;
+    let budget = Budget::new(limits);
+    budget.file(bytes.len() as u64)?;
+    let mut beside = Beside::new(folder, &budget);
+    let imported = read(format, bytes, &mut beside, &budget)?;
     Ok(Imported { files: beside.into_files(), ..imported })
 }
 
-fn read(format: Format, bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
+fn read<'b>(
+    format: Format,
+    bytes: &'b [u8],
+    beside: &mut Beside<'b>,
+    budget: &'b Budget<'b>,
+) -> Result<Imported, ParseError> {
     let complete = |(scene, report): (Scene, Report), up| Imported {
         scene,
         report,
@@ -158,30 +161,60 @@ fn read(format: Format, bytes: &[u8], beside: &mut Beside, limits: &Limits) -> R
         files: Vec::new(),
     };
     match format {
-        Format::Toml => Ok(complete(toml::read(bytes, beside, limits)?, Up::PlusY)),
-        Format::Nff => Ok(complete(nff::read(bytes, limits)?, Up::PlusZ)),
-        Format::Stl => stl::read(bytes, limits),
-        Format::Ply => ply::read(bytes, beside, limits),
-        Format::Off => off::read(bytes, limits),
-        Format::Obj => obj::read(bytes, beside, limits),
-        Format::Gltf => gltf::read(bytes, beside, limits),
-        Format::ThreeMf => threemf::read(bytes, limits),
-        Format::Vrml => vrml::read(bytes, limits),
+        Format::Toml => Ok(complete(toml::read(bytes, beside, budget)?, Up::PlusY)),
+        Format::Nff => Ok(complete(nff::read(bytes, budget)?, Up::PlusZ)),
+        Format::Stl => stl::read(bytes, budget),
+        Format::Ply => ply::read(bytes, beside, budget),
+        Format::Off => off::read(bytes, budget),
+        Format::Obj => obj::read(bytes, beside, budget),
+        Format::Gltf => gltf::read(bytes, beside, budget),
+        Format::ThreeMf => threemf::read(bytes, budget),
+        Format::Vrml => vrml::read(bytes, budget),
         Format::Pov | Format::Dat => Err(ParseError::OnlyWritten(format)),
     }
 }
 
-fn read_file(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
-    let metadata = fs::metadata(path)?;
+fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, LoadError> {
+    let failed = |source| LoadError::Io { path: path.to_owned(), source };
+    let metadata = fs::metadata(path).map_err(failed)?;
     if metadata.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));
+        return Err(failed(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory")));
     }
     if may_wait_for_ever(path, &metadata) {
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is a named pipe"));
+        return Err(failed(io::Error::new(io::ErrorKind::InvalidInput, "it is a named pipe")));
     }
-    let mut bytes = Vec::new();
-    File::open(path)?.take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    let file = File::open(path).map_err(failed)?;
+    let size = if metadata.is_file() { Some(metadata.len()) } else { None };
+    match read_stream(file, size, limits) {
+        Ok(bytes) => Ok(bytes),
+        Err(ReadError::Io(source)) => Err(failed(source)),
+        Err(ReadError::Halt(Halt::Limit(exceeded))) => {
+            Err(LoadError::LimitExceeded { path: path.to_owned(), exceeded })
+        }
+        Err(ReadError::Halt(Halt::Cancelled)) => Err(LoadError::Cancelled { path: path.to_owned() }),
+    }
+}
+
+enum ReadError {
+    Io(io::Error),
+    Halt(Halt),
+}
+
+/// Reads a stream to its end, in pieces between which it may be cancelled.
+fn read_stream(mut stream: impl Read, size: Option<u64>, limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    const PIECE: u64 = 1 << 22;
+    let budget = Budget::new(limits);
+    budget.file(size.unwrap_or(0)).map_err(ReadError::Halt)?;
+    let size = size.and_then(|size| usize::try_from(size).ok()).unwrap_or(0);
+    let mut bytes = budget.list(size, || "the file".to_owned()).map_err(ReadError::Halt)?;
+    loop {
+        let count = stream.by_ref().take(PIECE).read_to_end(&mut bytes).map_err(ReadError::Io)?;
+        budget.go_on().map_err(ReadError::Halt)?;
+        limits.allow_file(bytes.len() as u64).map_err(|limit| ReadError::Halt(limit.into()))?;
+        if count == 0 {
+            return Ok(bytes);
+        }
+    }
 }
 
 /// A named pipe that nobody writes to blocks already in `open`. Pipes of this process (`/dev/stdin`, a shell's
@@ -206,9 +239,8 @@ fn with_path(error: ParseError, path: &Path, bytes: Vec<u8>) -> LoadError {
             let text = text_for(&report, bytes);
             LoadError::Malformed { path, report, text }
         }
-        ParseError::LimitExceeded(LimitExceeded { what, limit }) => {
-            LoadError::LimitExceeded { path, exceeded: LimitExceeded { what, limit } }
-        }
+        ParseError::LimitExceeded(exceeded) => LoadError::LimitExceeded { path, exceeded },
+        ParseError::Cancelled => LoadError::Cancelled { path },
     }
 }
 

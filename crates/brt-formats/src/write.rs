@@ -6,6 +6,7 @@ use std::path::Path;
 
 use brt_scene::{Report, Scene, Texels};
 
+use crate::budget::Budget;
 use crate::import::{Beside, Pictures};
 use crate::{Format, Limits, OnlyRead, dat, pov, toml, write_toml};
 
@@ -57,8 +58,8 @@ pub fn write_beside(format: Format, scene: &Scene, path: &Path) -> Result<Writte
     let stem = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());
     let folder =
         path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
-    let limits = Limits::default();
-    let found = RefCell::new((Beside::new(folder, &limits), Pictures::new(&limits)));
+    let budget = Budget::new(&Limits::default());
+    let found = RefCell::new((Beside::new(folder, &budget), Pictures::new(&budget)));
     let lies_there = |texels: &Texels| {
         let (beside, pictures) = &mut *found.borrow_mut();
         let there = pictures.get(&texels.name, || beside.read(&texels.name).map(Cow::Owned));

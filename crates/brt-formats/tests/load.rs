@@ -41,7 +41,7 @@ fn each_fault_has_its_error() {
     // JSON of others is no glTF.
     assert!(matches!(error("a.cjson", b"{\"chemicalJson\": 1}", &all), LoadError::UnknownFormat { .. }));
     assert!(matches!(error("a.toml", b"\xff", &all), LoadError::NotUtf8 { position: 0, .. }));
-    let small = Limits { bytes: 3, ..all };
+    let small = Limits { memory: 24, ..all };
     assert!(matches!(error("a.toml", b"abcd", &small), LoadError::LimitExceeded { .. }));
     let LoadError::Malformed { report, text, .. } = error("b.nff", b"# \xfc\ns 1 x", &all) else {
         panic!("it is malformed")
@@ -53,7 +53,7 @@ fn each_fault_has_its_error() {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_device_without_an_end_is_not_read_for_ever() {
-    let limits = Limits { bytes: 1 << 20, ..Limits::default() };
+    let limits = Limits { memory: 1 << 23, ..Limits::default() };
     assert!(matches!(load(Path::new("/dev/zero"), &limits), Err(LoadError::LimitExceeded { .. })));
     assert!(matches!(load(Path::new("/dev/null"), &limits), Err(LoadError::UnknownFormat { .. })));
 }

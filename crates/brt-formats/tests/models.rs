@@ -89,7 +89,7 @@ fn off_with_colours_per_face() {
     assert_is_triangle(&scene);
     assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
     assert!(refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n").contains("no point 3"));
-    assert!(refused(Format::Off, b"OFF\n4000000000 4000000000 0\n").contains("more than"));
+    assert!(refused(Format::Off, b"OFF\n4000000000 4000000000 0\n").contains("with 4,000,000,000 points"));
 }
 
 #[test]
@@ -259,7 +259,7 @@ fn threemf_colours_of_corners_are_kept() {
 fn threemf_that_lies_is_refused() {
     for (from, to, why) in [
         (r#"v3="2""#, r#"v3="9""#, "names point 9"),
-        (r#"component objectid="1""#, r#"component objectid="2""#, "contain themselves"),
+        (r#"component objectid="1""#, r#"component objectid="2""#, "contains itself"),
         (r#"item objectid="2""#, r#"item objectid="3""#, "no object 3"),
         (r#"p1="0""#, r#"p1="4""#, "no member 4"),
         (r##"displaycolor="#FF0000FF""##, "", "has no colour"),
@@ -271,7 +271,7 @@ fn threemf_that_lies_is_refused() {
     }
     assert!(refused(Format::ThreeMf, &zipped("a.txt", b"")).contains("no model"));
     assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("zip"));
-    let limits = Limits { bytes: 2000, ..Limits::default() };
+    let limits = Limits { memory: 16_000, ..Limits::default() };
     let bomb = zipped("a.model", &[b' '; 1_000_000]);
     assert!(bomb.len() < 2000);
     let stopped = import(Format::ThreeMf, &bomb, None, &limits);
@@ -322,11 +322,14 @@ fn vrml_that_lies_is_refused() {
     assert!(refused(Format::Vrml, b"#VRML V1.0 ascii\nSeparator { }").contains("VRML 1.0"));
     let deep = format!("#VRML V2.0 utf8\n{}", "Group { children ".repeat(100_000));
     assert!(refused(Format::Vrml, deep.as_bytes()).contains("nest deeper"));
-    let mut uses = String::from("#VRML V2.0 utf8\nDEF A0 Group { }\n");
+    let mut uses = String::from("#VRML V2.0 utf8\nDEF A0 Shape { geometry Sphere { } }\n");
     for i in 0..60 {
         uses += &format!("DEF A{} Group {{ children [ USE A{i} USE A{i} ] }}\n", i + 1);
     }
-    assert!(refused(Format::Vrml, uses.as_bytes()).contains("too often"));
+    assert!(refused(Format::Vrml, uses.as_bytes()).contains("e18 instances"));
+    // Nothing, however often, is nothing.
+    let empty = uses.replace("Shape { geometry Sphere { } }", "Group { }");
+    assert!(refused(Format::Vrml, empty.as_bytes()).contains("nothing to see"));
 }
 
 #[test]

@@ -154,7 +154,7 @@ fn errors_have_a_place() {
 fn counts_do_not_reserve_memory() {
     let found = errors(Format::Nff, "p 4294967295\n0 0 0\n");
     assert_eq!(found, ["3: the file ends too early, expected a point of the polygon, `x y z`"]);
-    let limits = Limits { points: 3, ..Limits::default() };
+    let limits = Limits { memory: 2000, ..Limits::default() };
     let parsed = parse(Format::Nff, NFF.as_bytes(), &limits);
     assert!(matches!(parsed, Err(ParseError::LimitExceeded(_))));
 }

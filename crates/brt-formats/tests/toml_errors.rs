@@ -2,7 +2,7 @@
 
 mod common;
 
-use brt_formats::{Format, LimitKind, Limits, ParseError, parse};
+use brt_formats::{Format, Limits, ParseError, parse};
 use common::{EVERYTHING, errors, good};
 
 const CAMERA: &str = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov_deg = 45\n";
@@ -216,16 +216,30 @@ fn text_must_be_utf8() {
 #[test]
 fn limits_are_kept() {
     let exceeded = |limits: Limits| match parse(Format::Toml, EVERYTHING.as_bytes(), &limits) {
-        Err(ParseError::LimitExceeded(exceeded)) => exceeded.what,
+        Err(ParseError::LimitExceeded(exceeded)) => exceeded.to_string(),
         other => panic!("{other:?}"),
     };
     let all = Limits::default();
-    assert_eq!(exceeded(Limits { bytes: 100, ..all }), LimitKind::Bytes);
-    assert_eq!(exceeded(Limits { words: 100, ..all }), LimitKind::Words);
-    assert_eq!(exceeded(Limits { objects: 8, ..all }), LimitKind::Objects);
-    assert_eq!(exceeded(Limits { points: 12, ..all }), LimitKind::Points);
-    assert_eq!(exceeded(Limits { max_picture_pixels: 64 * 48 - 1, ..all }), LimitKind::PicturePixels);
-    let exact = Limits { objects: 9, points: 13, max_picture_pixels: 64 * 48, ..all };
+    // Words cost the most here; then come points, shapes and the triangles of each object.
+    let mut seen = std::collections::BTreeSet::new();
+    for memory in (0..200_000).step_by(16) {
+        match parse(Format::Toml, EVERYTHING.as_bytes(), &Limits { memory, ..all }) {
+            Ok(_) => break,
+            Err(ParseError::LimitExceeded(limit)) => {
+                assert!(limit.to_string().contains("`--max-memory SIZE`"), "{limit}");
+                let what = limit.to_string();
+                seen.extend(
+                    ["one file", "words", "points", "shapes", "objects", "triangles"]
+                        .into_iter()
+                        .filter(|w| what.contains(w)),
+                );
+            }
+            Err(other) => panic!("{other:?}"),
+        }
+    }
+    assert_eq!(seen.len(), 6, "{seen:?}");
+    assert!(exceeded(Limits { max_picture_pixels: 64 * 48 - 1, ..all }).contains("a picture of 3072 pixels"));
+    let exact = Limits { max_picture_pixels: 64 * 48, ..all };
     assert!(parse(Format::Toml, EVERYTHING.as_bytes(), &exact).is_ok());
 }
 

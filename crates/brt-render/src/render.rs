@@ -99,7 +99,7 @@ pub(crate) struct Job<'a> {
     pub(crate) spheres: Option<BoundingSpheres>,
 }
 
-/// Renders a tile. `outlines` are those that reach into it, `rows` its part of the picture's if the filter has no margin.
+/// Renders a tile; `None` if it was broken off. `outlines` are those that reach into it, `rows` its part of the picture's if the filter has no margin.
 pub(crate) fn render_tile(
     job: &Job,
     worker: &mut TileWorker,
@@ -107,7 +107,7 @@ pub(crate) fn render_tile(
     tile: &Tile,
     outlines: &[Outline],
     rows: &mut [&mut [[f32; 3]]],
-) -> TilePicture {
+) -> Option<TilePicture> {
     worker.reset(tile);
     // "Make a perspective image of the objects" (P3): what each sample sees first, without rays.
     if job.outlines.is_some() {
@@ -121,6 +121,9 @@ pub(crate) fn render_tile(
     }
     // "Use it to choose the pixels that are ray-traced and those that are interpolated" (P3, P5, P6).
     trace_and_fill(job, worker, tile, &job.settings.method);
+    if worker.cancel.is_set() {
+        return None;
+    }
     worker.tracer.counters.count_states(&worker.samples.state);
 
     // From samples to pixels, and whatever else is to be seen.
@@ -132,7 +135,8 @@ pub(crate) fn render_tile(
     let alpha = tile_alpha(job, worker, tile);
     let layers = job.settings.layers.iter().map(|&layer| make_layer(job, worker, tile, layer)).collect();
     let full = (job.settings.checked != CheckedPixels::None).then(|| render_again_in_full(job, worker, tile));
-    TilePicture { tile: *tile, colors, alpha, full, layers }
+    // Once more: what is checked may have been broken off.
+    (!worker.cancel.is_set()).then_some(TilePicture { tile: *tile, colors, alpha, full, layers })
 }
 
 fn trace_and_fill(job: &Job, worker: &mut TileWorker, tile: &Tile, method: &Method) {

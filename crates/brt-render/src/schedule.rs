@@ -181,8 +181,7 @@ impl<'a> Schedule<'a> {
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((worker, painter));
         }
-        // A tile that was broken off is not to be seen.
-        (!self.run.is_cancelled()).then_some((picture, counted))
+        picture.map(|picture| (picture, counted))
     }
 }
 

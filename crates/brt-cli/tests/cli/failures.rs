@@ -60,8 +60,8 @@ fn limits_are_refused_before_anything_is_rendered() {
         ("render ball.toml -s 100x100 --max-pixels 9999", "--max-pixels"),
         ("render ball.toml -s 4000000000x4000000000", "--max-pixels"),
         ("render ball.toml -s 20000000x1", "side"),
-        ("render ball.toml --max-objects 1", "hint: `--max-objects N` allows more"),
-        ("render ball.toml --max-bytes 10", "hint: `--max-bytes N` allows more"),
+        ("render ball.toml --max-memory 10kB", "`--max-memory SIZE` allows more"),
+        ("render ball.toml --max-memory 80", "`--max-memory SIZE` allows more"),
     ] {
         let ended = bench.run(arguments);
         assert_eq!(ended.code, Some(1), "{arguments}: {}", ended.errors);

@@ -61,8 +61,8 @@ fn of_render() {
             "--icps",
             "--accelerator",
             "Limits:",
-            "--max-objects",
-            "--max-bytes",
+            "--max-memory",
+            "--allow-expansion",
             "--max-pixels",
         ],
     );
@@ -80,7 +80,7 @@ fn the_short_help_leaves_out_what_hardly_anybody_needs() {
 #[test]
 fn of_the_others() {
     mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);
-    mentions("inspect", &["<SCENE>", "--json", "--max-objects", "--max-bytes"]);
+    mentions("inspect", &["<SCENE>", "--json", "--max-memory", "--allow-expansion"]);
     mentions("convert", &["<IN>", "<OUT>", "-s, --size"]);
     let convert = Bench::new().done("convert --help");
     assert!([".pov", ".dat"].iter().all(|name| convert.text().contains(name)), "{}", convert.text());
@@ -88,7 +88,7 @@ fn of_the_others() {
         "peers",
         &["[SCENES]", "-o, --output", "--sizes", "--repeat", "--timeout", "--plain", "--record", "--label"],
     );
-    mentions("paper", &["-o, --output", "--sizes", "--repeat", "--scene", "--quick", "--max-objects"]);
+    mentions("paper", &["-o, --output", "--sizes", "--repeat", "--scene", "--quick", "--max-memory"]);
     mentions("scene", &["[NAME]", "--size", "-o, --output"]);
     mentions("formats", &["Usage"]);
     mentions("", &["render", "compare", "inspect", "convert", "scene", "formats", "paper", "peers"]);

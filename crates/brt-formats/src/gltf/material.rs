@@ -20,7 +20,7 @@ use gltf::Document;
 use gltf::material::AlphaMode;
 
 use super::texture::{Textures, texcoord_set};
-use crate::import::Draft;
+use crate::import::{Draft, Stop};
 
 /// A material and the set of texture coordinates that its texture uses.
 #[derive(Clone, Copy)]
@@ -30,7 +30,11 @@ pub(super) struct Surface {
 }
 
 /// Our materials in the file's order.
-pub(super) fn read(document: &Document, textures: &mut Textures, draft: &mut Draft) -> Vec<Surface> {
+pub(super) fn read(
+    document: &Document,
+    textures: &mut Textures,
+    draft: &mut Draft,
+) -> Result<Vec<Surface>, Stop> {
     document
         .materials()
         .enumerate()
@@ -41,7 +45,7 @@ pub(super) fn read(document: &Document, textures: &mut Textures, draft: &mut Dra
             ours.texture = info.as_ref().and_then(|info| textures.read(info, i, draft));
             cover(&mut ours, &material);
             let texcoords = info.filter(|_| ours.texture.is_some()).map(|info| texcoord_set(&info));
-            Surface { material: draft.scene.add_material(ours), texcoords }
+            Ok(Surface { material: draft.add_material(ours)?, texcoords })
         })
         .collect()
 }

@@ -7,6 +7,7 @@ use gltf::{Primitive, Semantic};
 
 use super::accessor::{indices, rows};
 use super::buffers::Buffers;
+use crate::budget::Cost;
 use crate::import::{Draft, Geometry, Stop, fault};
 
 /// The triangles of a primitive; `None` for what is none, which is said.
@@ -49,10 +50,13 @@ pub(super) fn geometry(
     }
     let corners = match primitive.indices() {
         Some(accessor) => {
-            draft.expect(0, accessor.count() / 3)?;
+            draft.expect(0, triangle_count(primitive.mode(), accessor.count()))?;
             indices(&accessor, buffers)?
         }
-        None => (0..count as u32).collect(),
+        None => {
+            draft.expect(0, triangle_count(primitive.mode(), count))?;
+            (0..count as u32).collect()
+        }
     };
     if let Some(i) = corners.iter().find(|&&i| i as usize >= count) {
         return Err(fault(format!("{place} names point {i}, but there are {count}"), None));
@@ -79,6 +83,18 @@ fn read_texcoords(
         draft.notices.note("texture coordinates that are no numbers ignored", place.to_owned());
     }
     Ok(())
+}
+
+fn triangle_count(mode: Mode, corners: usize) -> usize {
+    if mode == Mode::Triangles { corners / 3 } else { corners.saturating_sub(2) }
+}
+
+/// What a primitive costs once it is shown.
+pub(super) fn bytes(primitive: &Primitive) -> u64 {
+    let points = primitive.get(&Semantic::Positions).map_or(0, |accessor| accessor.count());
+    let corners = primitive.indices().map_or(points, |accessor| accessor.count());
+    let triangles = triangle_count(primitive.mode(), corners) as u64;
+    Cost::Use.bytes().saturating_add(triangles.saturating_mul(Cost::Triangle.bytes()))
 }
 
 fn triangles(mode: Mode, corners: &[u32]) -> Vec<[u32; 3]> {

@@ -21,29 +21,42 @@ use brt_scene::framing::Up;
 use gltf::Document;
 use gltf::json::Root;
 
+use crate::ParseError;
+use crate::budget::{Budget, Cost, Halt};
 use crate::import::{Beside, Draft, Stop, fault};
 use crate::load::Imported;
-use crate::{Limits, ParseError};
 use texture::Textures;
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusY);
-    match read_file(bytes, beside, limits, &mut draft) {
+pub(crate) fn read<'b>(
+    bytes: &'b [u8],
+    beside: &mut Beside<'b>,
+    budget: &'b Budget<'b>,
+) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusY);
+    match read_file(bytes, beside, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
 }
 
-fn read_file(bytes: &[u8], beside: &mut Beside, limits: &Limits, draft: &mut Draft) -> Result<(), Stop> {
+fn read_file<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
     let (json, binary) = container::parts(bytes)?;
+    spend_json(json, draft.budget)?;
     let document = parsed(json)?;
     note_ignored(&document, draft);
     leave_pictures(&document, beside);
     let buffers = buffers::read(&document, binary, beside)?;
-    let mut textures = Textures::new(&document, &buffers, beside, limits);
-    let surfaces = material::read(&document, &mut textures, draft);
+    let mut textures = Textures::new(&document, &buffers, beside, draft.budget);
+    let surfaces = material::read(&document, &mut textures, draft)?;
     nodes::add(&document, &buffers, &surfaces, draft)
+}
+
+/// What the JSON costs as values: an empty node is three bytes in the file.
+fn spend_json(json: &[u8], budget: &Budget) -> Result<(), Halt> {
+    let count = |marks: &[u8]| json.iter().filter(|byte| marks.contains(byte)).count() as u64;
+    budget.spend(Cost::Node, count(b"{"))?;
+    budget.spend(Cost::Word, count(b"[,"))
 }
 
 /// Not all pictures are read; all belong to the scene.

@@ -1,6 +1,6 @@
 //! The node hierarchy: meshes, cameras and lights in their places.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use brt_geometry::vec3;
 use brt_scene::{Camera, Projection};
@@ -10,11 +10,8 @@ use super::buffers::Buffers;
 use super::light::Lights;
 use super::material::Surface;
 use super::mesh;
-use crate::Limits;
-use crate::import::{Affine, CREASE_DEG, Crease, Draft, Part, Stop, fault};
-
-/// Nodes that are visited at most: a node may be the child of many.
-const MOST_VISITS: u32 = 1_000_000;
+use crate::budget::Cost;
+use crate::import::{Affine, CREASE_DEG, Crease, Draft, Graph, Instances, Part, Stop, fault};
 
 /// Adds what the file's default scene shows; its first one if none is the default, all nodes if there is none.
 pub(super) fn add(
@@ -23,12 +20,16 @@ pub(super) fn add(
     surfaces: &[Surface],
     draft: &mut Draft,
 ) -> Result<(), Stop> {
-    let mut walk =
-        Walk { buffers, surfaces, shared: shared_meshes(document), lights: Lights::default(), visits: 0 };
-    match document.default_scene().or_else(|| document.scenes().next()) {
+    let scene = document.default_scene().or_else(|| document.scenes().next());
+    let nodes: Vec<Node> = document.nodes().collect();
+    let roots = scene.iter().flat_map(|scene| scene.nodes().map(|node| node.index()));
+    let instances = Instances::count(&Nodes(&nodes), roots, draft.budget)?;
+    let shared = shared_meshes(document);
+    let mut walk = Walk { buffers, surfaces, shared, lights: Lights::default(), instances };
+    match scene {
         Some(scene) => {
             for node in scene.nodes() {
-                walk.node(&node, &Affine::IDENTITY, 0, draft)?;
+                walk.node(&node, &Affine::IDENTITY, draft)?;
             }
         }
         None => {
@@ -41,13 +42,50 @@ pub(super) fn add(
     Ok(())
 }
 
-/// Meshes that more than one node has; their parts are filled in when they are met.
+/// Meshes that are used more than once; their parts are filled in when they are met.
 fn shared_meshes(document: &Document) -> HashMap<usize, Option<Vec<Part>>> {
     let mut uses = HashMap::<usize, u32>::new();
     for mesh in document.nodes().filter_map(|node| node.mesh()) {
         *uses.entry(mesh.index()).or_default() += 1;
     }
-    uses.into_iter().filter(|&(_, count)| count > 1).map(|(mesh, _)| (mesh, None)).collect()
+    let is_shared = |count: u32| count > 1 || !is_tree(document);
+    uses.into_iter().filter(|&(_, count)| is_shared(count)).map(|(mesh, _)| (mesh, None)).collect()
+}
+
+/// Has every node one parent at most, as the format demands?
+fn is_tree(document: &Document) -> bool {
+    let mut seen = HashSet::new();
+    document
+        .nodes()
+        .flat_map(|node| node.children().map(|child| child.index()).collect::<Vec<_>>())
+        .all(|i| seen.insert(i))
+}
+
+/// What is counted before it is walked through.
+struct Nodes<'d>(&'d [Node<'d>]);
+
+impl Graph for Nodes<'_> {
+    type Node = usize;
+
+    fn shown(&self, node: usize) -> Result<Option<u64>, Stop> {
+        let Some(node) = self.0.get(node) else { return Ok(None) };
+        if node.mesh().is_none() && node.camera().is_none() && node.light().is_none() {
+            return Ok(None);
+        }
+        let primitives = node.mesh().into_iter().flat_map(|mesh| mesh.primitives().collect::<Vec<_>>());
+        let bytes =
+            primitives.map(|primitive| mesh::bytes(&primitive)).fold(Cost::Use.bytes(), u64::saturating_add);
+        Ok(Some(bytes))
+    }
+
+    fn below(&self, node: usize) -> Vec<usize> {
+        let children = |node: &Node| node.children().map(|child| child.index()).collect();
+        self.0.get(node).map_or_else(Vec::new, children)
+    }
+
+    fn fault(&self, node: usize, what: &str) -> Stop {
+        fault(format!("node {node} {what}"), None)
+    }
 }
 
 struct Walk<'b> {
@@ -55,15 +93,14 @@ struct Walk<'b> {
     surfaces: &'b [Surface],
     shared: HashMap<usize, Option<Vec<Part>>>,
     lights: Lights,
-    visits: u32,
+    instances: Instances<usize>,
 }
 
 impl Walk<'_> {
-    fn node(&mut self, node: &Node, outer: &Affine, depth: usize, draft: &mut Draft) -> Result<(), Stop> {
+    fn node(&mut self, node: &Node, outer: &Affine, draft: &mut Draft) -> Result<(), Stop> {
         let i = node.index();
-        self.visits += 1;
-        if depth > Limits::NESTING || self.visits > MOST_VISITS {
-            return Err(fault(format!("node {i} nests too deep, or contains itself"), None));
+        if !self.instances.shows(i) {
+            return Ok(());
         }
         let place = outer.after(&local(node));
         if let Some(mesh) = node.mesh() {
@@ -82,7 +119,7 @@ impl Walk<'_> {
             self.lights.add(&light, &place);
         }
         for child in node.children() {
-            self.node(&child, &place, depth + 1, draft)?;
+            self.node(&child, &place, draft)?;
         }
         Ok(())
     }
@@ -97,7 +134,7 @@ impl Walk<'_> {
         if let (Some(known), Some(transform)) = (self.shared.get(&mesh.index()), place.as_transform()) {
             let parts = match known {
                 Some(parts) => {
-                    draft.expect_again(parts)?;
+                    draft.spend_again(parts)?;
                     parts.clone()
                 }
                 None => {
@@ -106,12 +143,10 @@ impl Walk<'_> {
                     parts
                 }
             };
-            draft.place(&parts, transform, name);
-            return Ok(());
+            return Ok(draft.place(&parts, transform, name)?);
         }
         let parts = self.parts(mesh, place, name, draft)?;
-        draft.place(&parts, brt_geometry::Affine::IDENTITY, name);
-        Ok(())
+        Ok(draft.place(&parts, brt_geometry::Affine::IDENTITY, name)?)
     }
 
     /// The primitives of a mesh somewhere.

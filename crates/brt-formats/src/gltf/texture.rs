@@ -8,7 +8,7 @@ use gltf::json::Root;
 use gltf::texture::{Info, MagFilter, WrappingMode};
 
 use super::buffers::{Buffers, decoded, inline};
-use crate::Limits;
+use crate::budget::Budget;
 use crate::import::{Beside, Draft, Pictures};
 use crate::words::excerpt;
 
@@ -16,18 +16,18 @@ use crate::words::excerpt;
 pub(super) struct Textures<'f, 'b> {
     json: &'f Root,
     buffers: &'f Buffers<'b>,
-    beside: &'f mut Beside,
-    pictures: Pictures,
+    beside: &'f mut Beside<'b>,
+    pictures: Pictures<'b>,
 }
 
 impl<'f, 'b> Textures<'f, 'b> {
     pub(super) fn new(
         document: &'f Document,
         buffers: &'f Buffers<'b>,
-        beside: &'f mut Beside,
-        limits: &Limits,
+        beside: &'f mut Beside<'b>,
+        budget: &'b Budget<'b>,
     ) -> Self {
-        Self { json: document.as_json(), buffers, beside, pictures: Pictures::new(limits) }
+        Self { json: document.as_json(), buffers, beside, pictures: Pictures::new(budget) }
     }
 
     /// The texture, its alpha ignored; `None` where it cannot be had, which is said.

@@ -4,28 +4,21 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-use crate::Limits;
+use crate::budget::Budget;
 
 /// The folder of the scene file, and what may be read from it.
-#[derive(Clone, Debug)]
-pub(crate) struct Beside {
+#[derive(Debug)]
+pub(crate) struct Beside<'b> {
     folder: Option<PathBuf>,
-    outside: bool,
-    /// Bytes that may still be read: all files together count as one.
-    bytes_left: u64,
+    budget: &'b Budget<'b>,
     /// Files that were read, and those that were not, but belong to the scene all the same.
     used: Vec<PathBuf>,
 }
 
-impl Beside {
+impl<'b> Beside<'b> {
     /// `folder` is `None` where the scene does not come from a file.
-    pub(crate) fn new(folder: Option<&Path>, limits: &Limits) -> Self {
-        Self {
-            folder: folder.map(Path::to_owned),
-            outside: limits.files_outside,
-            bytes_left: limits.bytes,
-            used: Vec::new(),
-        }
+    pub(crate) fn new(folder: Option<&Path>, budget: &'b Budget<'b>) -> Self {
+        Self { folder: folder.map(Path::to_owned), budget, used: Vec::new() }
     }
 
     /// Reads a file by the name that the scene has for it. The error says why not, fit to follow the name.
@@ -35,13 +28,12 @@ impl Beside {
         if !metadata.is_file() {
             return Err("it is not a file".to_owned());
         }
-        if metadata.len() > self.bytes_left {
-            return Err("it is larger than the limit of bytes allows".to_owned());
-        }
-        let mut bytes = Vec::new();
+        let size = metadata.len();
+        self.budget.file(size).map_err(|halt| halt.text())?;
         let file = File::open(&path).map_err(|error| words_of(&error))?;
-        file.take(self.bytes_left).read_to_end(&mut bytes).map_err(|error| words_of(&error))?;
-        self.bytes_left -= bytes.len() as u64;
+        let mut bytes =
+            self.budget.list(size as usize, || "the file".to_owned()).map_err(|halt| halt.text())?;
+        file.take(size).read_to_end(&mut bytes).map_err(|error| words_of(&error))?;
         self.used.push(path);
         Ok(bytes)
     }
@@ -64,6 +56,7 @@ impl Beside {
 
     fn find(&self, name: &str) -> Result<PathBuf, String> {
         const OUTSIDE: &str = "it is outside of the scene's folder, which `--allow-outside` allows";
+        let outside = self.budget.limits().files_outside;
         let Some(folder) = &self.folder else {
             return Err("the scene has no folder".to_owned());
         };
@@ -71,7 +64,7 @@ impl Beside {
         let name = name.replace('\\', "/");
         let relative = Path::new(&name);
         let is_plain = |c: Component| matches!(c, Component::Normal(_) | Component::CurDir);
-        if !self.outside && !relative.components().all(is_plain) {
+        if !outside && !relative.components().all(is_plain) {
             return Err(OUTSIDE.to_owned());
         }
         let path = folder.join(relative);
@@ -80,7 +73,7 @@ impl Beside {
             (Ok(real), Ok(home)) => (real, home),
             (Err(error), _) | (_, Err(error)) => return Err(words_of(&error)),
         };
-        if self.outside || real.starts_with(home) { Ok(real) } else { Err(OUTSIDE.to_owned()) }
+        if outside || real.starts_with(home) { Ok(real) } else { Err(OUTSIDE.to_owned()) }
     }
 }
 
@@ -94,6 +87,7 @@ fn words_of(error: &io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Limits;
 
     #[test]
     fn only_files_of_the_folder_are_read() {
@@ -102,7 +96,8 @@ mod tests {
         fs::create_dir(&folder).unwrap();
         fs::write(root.path().join("secret"), "s").unwrap();
         fs::write(folder.join("a b.bin"), "x").unwrap();
-        let mut beside = Beside::new(Some(&folder), &Limits::default());
+        let budget = Budget::new(&Limits::default());
+        let mut beside = Beside::new(Some(&folder), &budget);
         assert_eq!(beside.read("a b.bin").unwrap(), b"x");
         assert_eq!(beside.read(".\\a b.bin").unwrap(), b"x");
         for name in ["../secret", "/etc/hostname", "a/../../secret"] {
@@ -111,7 +106,7 @@ mod tests {
         assert_eq!(beside.read("none").unwrap_err(), "there is no such file");
         assert_eq!(beside.read(".").unwrap_err(), "it is not a file");
         let limits = Limits { files_outside: true, ..Limits::default() };
-        assert_eq!(Beside::new(Some(&folder), &limits).read("../secret").unwrap(), b"s");
+        assert_eq!(Beside::new(Some(&folder), &Budget::new(&limits)).read("../secret").unwrap(), b"s");
     }
 
     #[cfg(unix)]
@@ -122,15 +117,17 @@ mod tests {
         fs::create_dir(&folder).unwrap();
         fs::write(root.path().join("secret"), "s").unwrap();
         std::os::unix::fs::symlink("../secret", folder.join("link")).unwrap();
-        assert!(Beside::new(Some(&folder), &Limits::default()).read("link").is_err());
+        let budget = Budget::new(&Limits::default());
+        assert!(Beside::new(Some(&folder), &budget).read("link").is_err());
     }
 
     #[test]
     fn all_files_share_one_limit() {
         let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("a"), [0; 60]).unwrap();
-        let mut beside = Beside::new(Some(folder.path()), &Limits { bytes: 100, ..Limits::default() });
-        assert!(beside.read("a").is_ok());
-        assert!(beside.read("a").unwrap_err().contains("limit"));
+        fs::write(folder.path().join("a"), [0; 100]).unwrap();
+        let budget = Budget::new(&Limits { memory: 850, ..Limits::default() });
+        let mut beside = Beside::new(Some(folder.path()), &budget);
+        (0..8).for_each(|_| drop(beside.read("a").unwrap()));
+        assert!(beside.read("a").unwrap_err().contains("--max-memory"));
     }
 }

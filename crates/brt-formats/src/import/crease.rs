@@ -4,6 +4,7 @@ use brt_geometry::Vec3;
 
 use super::geometry::normal_of;
 use super::weld::Weld;
+use crate::budget::{Budget, Halt};
 
 /// Faces that meet at less than this are one smooth surface, in degrees. Between the 11° of a round of 32 sides and
 /// the 45° of a chamfer.
@@ -47,7 +48,12 @@ impl<'g> Crease<'g> {
     }
 
     /// Splits the points of triangles that all have an area.
-    pub(crate) fn split(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> Smooth {
+    pub(crate) fn split(
+        &self,
+        positions: &[Vec3],
+        triangles: &[[u32; 3]],
+        budget: &Budget,
+    ) -> Result<Smooth, Halt> {
         let faces: Vec<Vec3> =
             triangles.iter().map(|&t| normal_of(positions, t).unwrap_or_default()).collect();
         let classes = Weld::classes(positions);
@@ -59,11 +65,12 @@ impl<'g> Crease<'g> {
         };
         let mut fan = Fan::default();
         for around in corners.by_point() {
+            budget.go_on()?;
             fan.gather(around, triangles, &classes);
             fan.join(|a, b| self.joins(&faces, a, b));
             fan.add_points(positions, triangles, &faces, &mut smooth);
         }
-        smooth
+        Ok(smooth)
     }
 }
 
@@ -200,6 +207,7 @@ mod tests {
     use brt_geometry::vec3;
 
     use super::*;
+    use crate::Limits;
 
     /// Two triangles along the x axis, folded by so many degrees.
     fn fold(degrees: f64) -> (Vec<Vec3>, Vec<[u32; 3]>) {
@@ -213,7 +221,8 @@ mod tests {
     fn the_angle_decides() {
         for (degrees, points) in [(20.0, 4), (50.0, 6)] {
             let (positions, triangles) = fold(degrees);
-            let smooth = Crease::new(35.0).split(&positions, &triangles);
+            let smooth =
+                Crease::new(35.0).split(&positions, &triangles, &Budget::new(&Limits::default())).unwrap();
             assert_eq!(smooth.sources.len(), points, "{degrees}");
             assert_eq!(smooth.normals.len(), points);
         }
@@ -223,7 +232,9 @@ mod tests {
     fn groups_decide_where_a_file_has_them() {
         let (positions, triangles) = fold(50.0);
         for (groups, points) in [([1, 1], 4), ([1, 2], 6), ([0, 0], 6)] {
-            let smooth = Crease::of_groups(&groups).split(&positions, &triangles);
+            let smooth = Crease::of_groups(&groups)
+                .split(&positions, &triangles, &Budget::new(&Limits::default()))
+                .unwrap();
             assert_eq!(smooth.sources.len(), points, "{groups:?}");
         }
     }
@@ -233,7 +244,8 @@ mod tests {
         let (mut positions, mut triangles) = fold(20.0);
         positions.extend([positions[0], positions[1]]);
         triangles[1] = [4, 5, 3];
-        let smooth = Crease::new(35.0).split(&positions, &triangles);
+        let smooth =
+            Crease::new(35.0).split(&positions, &triangles, &Budget::new(&Limits::default())).unwrap();
         assert_eq!(smooth.sources.len(), 6);
         let normal_of_old = |old| smooth.normals[smooth.sources.iter().position(|&s| s == old).unwrap()];
         assert_eq!(normal_of_old(0), normal_of_old(4));

@@ -10,22 +10,24 @@ use brt_scene::framing::{Framing, Up, framed_camera, studio_lights};
 use brt_scene::{Camera, Diagnostic, Material, MaterialId, Mesh, Object, Projection, Scene, Shape};
 
 use super::{Crease, Geometry, Notices};
-use crate::limits::Counter;
+use crate::budget::{Budget, Cost, Halt};
 use crate::load::Imported;
 use crate::meshes::Meshes;
-use crate::{Given, LimitExceeded, Limits, ParseError};
+use crate::{Given, LimitExceeded, ParseError};
 
 /// Colour of what a file gives no colour: a light grey with a touch of blue, linear RGB.
 const PLAIN: Rgb = rgb(0.55, 0.6, 0.66);
 
 /// What has been read of a model so far.
-pub(crate) struct Draft {
+pub(crate) struct Draft<'b> {
     pub(crate) scene: Scene,
     pub(crate) given: Given,
     pub(crate) notices: Notices,
     /// Only geometry is wanted.
     bare: bool,
-    counter: Counter,
+    pub(crate) budget: &'b Budget<'b>,
+    /// Points and triangles that are spent already and not used yet.
+    expected: [u64; 2],
     tints: HashMap<(MaterialId, [u64; 3]), MaterialId>,
 }
 
@@ -41,8 +43,8 @@ pub(crate) struct Part {
 pub(crate) enum Stop {
     /// It is broken.
     Fault(Diagnostic),
-    /// It asks for too much.
-    Limit(LimitExceeded),
+    /// It is good so far, and yet it ends.
+    Halt(Halt),
 }
 
 impl From<Diagnostic> for Stop {
@@ -51,9 +53,15 @@ impl From<Diagnostic> for Stop {
     }
 }
 
+impl From<Halt> for Stop {
+    fn from(halt: Halt) -> Self {
+        Self::Halt(halt)
+    }
+}
+
 impl From<LimitExceeded> for Stop {
     fn from(limit: LimitExceeded) -> Self {
-        Self::Limit(limit)
+        Self::Halt(limit.into())
     }
 }
 
@@ -62,8 +70,8 @@ pub(crate) fn fault(message: impl Into<String>, span: Option<Range<usize>>) -> S
     Stop::Fault(Diagnostic::error(message, span))
 }
 
-impl Draft {
-    pub(crate) fn new(limits: &Limits, up: Up) -> Self {
+impl<'b> Draft<'b> {
+    pub(crate) fn new(budget: &'b Budget<'b>, up: Up) -> Self {
         let stand_in = Camera {
             eye: vec3(0.0, 0.0, 1.0),
             look_at: vec3(0.0, 0.0, 0.0),
@@ -75,14 +83,15 @@ impl Draft {
             given: Given { up, ..Given::nothing() },
             notices: Notices::default(),
             bare: false,
-            counter: Counter::new(limits),
+            budget,
+            expected: [0; 2],
             tints: HashMap::new(),
         }
     }
 
     /// A model of which only the geometry is wanted: no materials, colours stay with their points.
-    pub(crate) fn bare(limits: &Limits) -> Self {
-        Self { bare: true, ..Self::new(limits, Up::PlusZ) }
+    pub(crate) fn bare(budget: &'b Budget<'b>) -> Self {
+        Self { bare: true, ..Self::new(budget, Up::PlusZ) }
     }
 
     pub(crate) fn is_bare(&self) -> bool {
@@ -99,10 +108,33 @@ impl Draft {
         })
     }
 
-    /// Counts triangles before memory is spent on them.
-    pub(crate) fn expect(&mut self, points: usize, triangles: usize) -> Result<(), LimitExceeded> {
-        self.counter.points(points)?;
-        self.counter.objects(triangles)
+    /// Spends what points and triangles cost before there is memory for them; [`parts`](Self::parts) uses that up.
+    pub(crate) fn expect(&mut self, points: usize, triangles: usize) -> Result<(), Halt> {
+        let [points, triangles] = [points as u64, triangles as u64];
+        self.budget.spend(Cost::Point, points)?;
+        self.budget.spend(self.triangle(), triangles)?;
+        self.expected = [self.expected[0] + points, self.expected[1] + triangles];
+        Ok(())
+    }
+
+    /// Spends what is not spent yet of points and triangles that are there.
+    fn use_up(&mut self, points: usize, triangles: usize) -> Result<(), Halt> {
+        let used = [points as u64, triangles as u64];
+        let [more_points, more_triangles] = [0, 1].map(|i| used[i].saturating_sub(self.expected[i]));
+        self.expected = [0, 1].map(|i| self.expected[i].saturating_sub(used[i]));
+        self.budget.spend(Cost::Point, more_points)?;
+        self.budget.spend(self.triangle(), more_triangles)
+    }
+
+    /// What a triangle costs. Those of a mesh that others show are spent where they are shown.
+    fn triangle(&self) -> Cost {
+        if self.bare { Cost::Listed } else { Cost::Triangle }
+    }
+
+    /// Adds a material.
+    pub(crate) fn add_material(&mut self, material: Material) -> Result<MaterialId, Halt> {
+        self.budget.spend(Cost::Material, 1)?;
+        Ok(self.scene.add_material(material))
     }
 
     /// Adds triangles; those without normals become smooth where `crease` lets them.
@@ -112,10 +144,9 @@ impl Draft {
         crease: Option<&Crease>,
         material: MaterialId,
         name: Option<&str>,
-    ) -> Result<(), LimitExceeded> {
+    ) -> Result<(), Halt> {
         let parts = self.parts(geometry, crease, material, name)?;
-        self.place(&parts, brt_geometry::Affine::IDENTITY, name);
-        Ok(())
+        self.place(&parts, brt_geometry::Affine::IDENTITY, name)
     }
 
     /// The meshes that triangles become, for objects that share them.
@@ -125,9 +156,8 @@ impl Draft {
         crease: Option<&Crease>,
         material: MaterialId,
         name: Option<&str>,
-    ) -> Result<Vec<Part>, LimitExceeded> {
-        self.counter.points(geometry.positions.len())?;
-        self.counter.objects(geometry.triangles.len())?;
+    ) -> Result<Vec<Part>, Halt> {
+        self.use_up(geometry.positions.len(), geometry.triangles.len())?;
         if geometry.normals.iter().any(|n| n.try_normalize().is_none()) {
             self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
             geometry.normals.clear();
@@ -142,7 +172,7 @@ impl Draft {
             self.notices.note_many("triangles without an area left out", flat, part(name));
         }
         let parts = match crease {
-            Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease),
+            Some(crease) if geometry.normals.is_empty() => geometry.smoothed(crease, self.budget)?,
             _ => vec![geometry],
         };
         let bare = self.bare;
@@ -150,35 +180,46 @@ impl Draft {
             parts.into_iter().flat_map(|part| if bare { vec![(None, part)] } else { part.by_color() });
         let parts = parts.filter(|(_, part)| !part.triangles.is_empty());
         let finished = parts.map(|(color, part)| {
-            let material = color.map_or(material, |color| self.tinted(material, color));
-            Part { mesh: Arc::new(part.into_mesh()), material }
+            let material = color.map_or(Ok(material), |color| self.tinted(material, color))?;
+            Ok(Part { mesh: Arc::new(part.into_mesh()), material })
         });
-        Ok(finished.collect())
+        finished.collect()
     }
 
     /// Adds parts somewhere.
-    pub(crate) fn place(&mut self, parts: &[Part], at: brt_geometry::Affine, name: Option<&str>) {
+    pub(crate) fn place(
+        &mut self,
+        parts: &[Part],
+        at: brt_geometry::Affine,
+        name: Option<&str>,
+    ) -> Result<(), Halt> {
+        self.budget.spend(Cost::Use, parts.len() as u64)?;
         self.scene.objects.extend(parts.iter().map(|part| Object {
             name: name.map(str::to_owned),
             transform: at,
             ..Object::new(Shape::Mesh(part.mesh.clone()), part.material)
         }));
+        Ok(())
     }
 
-    /// Counts parts that are placed once more: they share their memory, but rendering copies them.
-    pub(crate) fn expect_again(&mut self, parts: &[Part]) -> Result<(), LimitExceeded> {
-        parts.iter().try_for_each(|part| self.expect(part.mesh.positions.len(), part.mesh.triangles.len()))
+    /// Spends what parts cost that are placed once more: they share their memory, but rendering copies their triangles.
+    pub(crate) fn spend_again(&mut self, parts: &[Part]) -> Result<(), Halt> {
+        parts.iter().try_for_each(|part| self.budget.spend(Cost::Triangle, part.mesh.triangles.len() as u64))
     }
 
     /// The same material, times a colour.
-    fn tinted(&mut self, material: MaterialId, color: Rgb) -> MaterialId {
-        let Self { scene, given, tints, .. } = self;
+    fn tinted(&mut self, material: MaterialId, color: Rgb) -> Result<MaterialId, Halt> {
+        let Self { scene, given, tints, budget, .. } = self;
         let key = (material, <[f64; 3]>::from(color).map(f64::to_bits));
-        *tints.entry(key).or_insert_with(|| {
-            let mut tinted = scene.materials[material.0 as usize].clone();
-            tinted.color = if given.plain == Some(material) { color } else { tinted.color * color };
-            scene.add_material(tinted)
-        })
+        if let Some(&known) = tints.get(&key) {
+            return Ok(known);
+        }
+        budget.spend(Cost::Material, 1)?;
+        let mut tinted = scene.materials[material.0 as usize].clone();
+        tinted.color = if given.plain == Some(material) { color } else { tinted.color * color };
+        let id = scene.add_material(tinted);
+        tints.insert(key, id);
+        Ok(id)
     }
 
     /// Adds a shape that is no mesh.
@@ -187,8 +228,8 @@ impl Draft {
         shape: Shape,
         material: MaterialId,
         name: Option<&str>,
-    ) -> Result<(), LimitExceeded> {
-        self.counter.objects(1)?;
+    ) -> Result<(), Halt> {
+        self.budget.spend(Cost::Shape, 1)?;
         self.scene.objects.push(Object { name: name.map(str::to_owned), ..Object::new(shape, material) });
         Ok(())
     }
@@ -206,7 +247,7 @@ impl Draft {
     /// What is said where a file was not read to its end.
     pub(crate) fn stopped(self, stop: Stop) -> ParseError {
         match stop {
-            Stop::Limit(limit) => ParseError::LimitExceeded(limit),
+            Stop::Halt(halt) => halt.into(),
             Stop::Fault(fault) => {
                 let mut report = self.notices.into_report();
                 report.push(fault);
@@ -217,13 +258,14 @@ impl Draft {
 
     /// Completes the scene: a camera that shows everything, lights and a white background where the file has none.
     pub(crate) fn finish(self) -> Result<Imported, ParseError> {
-        let Self { mut scene, given, notices, .. } = self;
+        let Self { mut scene, given, notices, budget, .. } = self;
         if scene.objects.is_empty() {
             let mut report = notices.into_report();
             report.push(Diagnostic::error("there is nothing to see in this file", None));
             return Err(ParseError::Malformed(report));
         }
         name_apart(&mut scene);
+        budget.go_on()?;
         if !given.camera {
             scene.camera = framed_camera(&scene, &Framing::new(given.up));
         }

@@ -8,6 +8,7 @@ use brt_scene::Mesh;
 
 use super::affine::Affine;
 use super::crease::Crease;
+use crate::budget::{Budget, Halt};
 
 /// A mesh under construction. Lists per point are empty or as long as `positions`.
 #[derive(Clone, Debug, Default)]
@@ -32,8 +33,8 @@ impl Geometry {
     ///
     /// What turns out flat becomes a shape of its own without normals, since plain facets are cheaper to trace and to
     /// prove things about.
-    pub(crate) fn smoothed(self, crease: &Crease) -> Vec<Self> {
-        let smooth = crease.split(&self.positions, &self.triangles);
+    pub(crate) fn smoothed(self, crease: &Crease, budget: &Budget) -> Result<Vec<Self>, Halt> {
+        let smooth = crease.split(&self.positions, &self.triangles, budget)?;
         let is_flat = |t: &[u32; 3]| {
             let face = normal_of(&self.positions, t.map(|i| smooth.sources[i as usize]));
             t.iter()
@@ -45,7 +46,7 @@ impl Geometry {
         let gathered = self.gather(&smooth.sources, smooth.normals);
         drop(self);
         let round = gathered.part(round);
-        [flat, round].into_iter().filter(|part| !part.triangles.is_empty()).collect()
+        Ok([flat, round].into_iter().filter(|part| !part.triangles.is_empty()).collect())
     }
 
     /// Points picked by index, with normals of their own.
@@ -167,6 +168,7 @@ mod tests {
 
     use super::super::CREASE_DEG;
     use super::*;
+    use crate::Limits;
 
     /// A prism of `n` sides around z, closed by fans.
     fn prism(n: u32) -> Geometry {
@@ -187,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_many_sided_prism_is_round_with_flat_caps() {
-        let parts = prism(24).smoothed(&Crease::new(CREASE_DEG));
+        let parts = prism(24).smoothed(&Crease::new(CREASE_DEG), &Budget::new(&Limits::default())).unwrap();
         let [flat, round] = &parts[..] else { panic!("caps and side") };
         assert_eq!((flat.triangles.len(), round.triangles.len()), (44, 48));
         assert!(flat.normals.is_empty());
@@ -198,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_box_is_flat() {
-        let parts = prism(4).smoothed(&Crease::new(CREASE_DEG));
+        let parts = prism(4).smoothed(&Crease::new(CREASE_DEG), &Budget::new(&Limits::default())).unwrap();
         assert_eq!(parts.len(), 1);
         assert!(parts[0].normals.is_empty());
         assert_eq!((parts[0].positions.len(), parts[0].triangles.len()), (8, 12));

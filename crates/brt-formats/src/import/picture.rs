@@ -1,6 +1,6 @@
 //! Pictures on surfaces: PNG and JPEG as texels.
 //!
-//! Decoded by the `image` crate. What a picture claims to be is held against the limits before memory is spent on it.
+//! Decoded by the `image` crate. What a picture claims to be is held against the budget before memory is spent on it.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -8,31 +8,29 @@ use std::io::Cursor;
 use std::sync::Arc;
 
 use brt_scene::Texels;
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
+use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 
-use crate::Limits;
+use crate::budget::Budget;
 
 /// A picture, or why there is none, fit to follow its name.
 pub(crate) type Picture = Result<Arc<Texels>, String>;
 
 /// The pictures of a scene: one that is named again is not decoded again.
-pub(crate) struct Pictures {
+pub(crate) struct Pictures<'b> {
     known: HashMap<String, Picture>,
-    /// What all pictures together may have.
-    limit: u64,
-    pixels_left: u64,
+    budget: &'b Budget<'b>,
 }
 
-impl Pictures {
-    pub(crate) fn new(limits: &Limits) -> Self {
-        Self { known: HashMap::new(), limit: limits.texture_pixels, pixels_left: limits.texture_pixels }
+impl<'b> Pictures<'b> {
+    pub(crate) fn new(budget: &'b Budget<'b>) -> Self {
+        Self { known: HashMap::new(), budget }
     }
 
     /// The picture of a name, whose bytes are read where it is not known yet.
-    pub(crate) fn get<'b>(
+    pub(crate) fn get<'f>(
         &mut self,
         name: &str,
-        read: impl FnOnce() -> Result<Cow<'b, [u8]>, String>,
+        read: impl FnOnce() -> Result<Cow<'f, [u8]>, String>,
     ) -> Picture {
         if let Some(picture) = self.known.get(name) {
             return picture.clone();
@@ -49,35 +47,49 @@ impl Pictures {
 
     fn decode(&mut self, name: &str, bytes: &[u8]) -> Result<Texels, String> {
         let format = format_of(bytes)?;
-        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-        reader.limits(self.memory());
-        let decoder = reader.into_decoder().map_err(|error| short(&error))?;
+        let reader = ImageReader::with_format(Cursor::new(bytes), format);
+        let mut decoder = reader.into_decoder().map_err(|error| short(&error))?;
         let (width, height) = decoder.dimensions();
         let pixels = u64::from(width) * u64::from(height);
         if pixels == 0 {
             return Err("it has no pixels".to_owned());
         }
-        let Some(left) = self.pixels_left.checked_sub(pixels) else {
-            let limit = self.limit;
-            return Err(format!(
-                "with {width} × {height} pixels there are more than {limit} in all pictures"
-            ));
-        };
-        let picture = DynamicImage::from_decoder(decoder).map_err(|error| short(&error))?.into_rgba8();
-        self.pixels_left = left;
-        let (width, height) = picture.dimensions();
-        let rgba = picture.into_raw().as_chunks::<4>().0.to_vec();
+        let passing = passing_bytes(&decoder, format, pixels);
+        let what = || format!("a picture of {width} × {height} pixels");
+        let texels = pixels.saturating_mul(4);
+        self.budget.take(texels.saturating_add(passing), what).map_err(|halt| halt.text())?;
+        decoder.set_limits(surroundings(passing)).map_err(|error| short(&error))?;
+        let mut rgba = self.budget.list(pixels as usize, what).map_err(|halt| halt.text())?;
+        if decoder.color_type() == ColorType::Rgba8 {
+            rgba.resize(pixels as usize, [0; 4]);
+            decoder.read_image(rgba.as_flattened_mut()).map_err(|error| short(&error))?;
+        } else {
+            let picture = DynamicImage::from_decoder(decoder).map_err(|error| short(&error))?.into_rgba8();
+            rgba.extend_from_slice(picture.as_raw().as_chunks::<4>().0);
+        }
+        self.budget.give_back(passing);
         Ok(Texels { name: name.to_owned(), width, height, rgba })
     }
+}
 
-    /// Room for the widest kind of pixel and a copy of all, and for what surrounds them.
-    fn memory(&self) -> image::Limits {
-        const BYTES_A_PIXEL: u64 = 16;
-        const SURROUNDINGS: u64 = 64 << 20;
-        let mut limits = image::Limits::default();
-        limits.max_alloc = Some(self.pixels_left.saturating_mul(BYTES_A_PIXEL).saturating_add(SURROUNDINGS));
-        limits
-    }
+/// Bytes beside the texels that are needed while a picture is decoded: its pixels as they are stored, and as they become
+/// texels; for a progressive JPEG all its coefficients.
+fn passing_bytes(decoder: &impl ImageDecoder, format: ImageFormat, pixels: u64) -> u64 {
+    const COEFFICIENTS: u64 = 6;
+    let converted = match decoder.color_type() {
+        ColorType::Rgba8 => 0,
+        _ => decoder.total_bytes().saturating_add(pixels.saturating_mul(4)),
+    };
+    let coefficients = if format == ImageFormat::Jpeg { pixels.saturating_mul(COEFFICIENTS) } else { 0 };
+    converted.saturating_add(coefficients)
+}
+
+/// Room for pixels and for what surrounds them: rows, tables and texts.
+fn surroundings(bytes: u64) -> image::Limits {
+    const SURROUNDINGS: u64 = 64 << 20;
+    let mut limits = image::Limits::default();
+    limits.max_alloc = Some(bytes.saturating_add(SURROUNDINGS));
+    limits
 }
 
 /// By content alone: names lie.
@@ -107,9 +119,10 @@ mod tests {
     use image::{ColorType, ImageEncoder as _, codecs::png::PngEncoder};
 
     use super::*;
+    use crate::Limits;
 
     fn decoded(bytes: &[u8]) -> Result<Texels, String> {
-        Pictures::new(&Limits::default()).decode("x", bytes)
+        Pictures::new(&Budget::new(&Limits::default())).decode("x", bytes)
     }
 
     fn png(pixels: &[u8], width: u32, height: u32, kind: ColorType) -> Vec<u8> {
@@ -179,13 +192,13 @@ mod tests {
 
     #[test]
     fn pictures_are_decoded_once_and_counted_together() {
-        let limits = Limits { texture_pixels: 150, ..Limits::default() };
-        let mut pictures = Pictures::new(&limits);
+        let budget = Budget::new(&Limits { memory: 1200, ..Limits::default() });
+        let mut pictures = Pictures::new(&budget);
         let bytes = png(&[7; 300], 10, 10, ColorType::Rgb8);
         let first = pictures.get("a", || Ok(bytes.as_slice().into())).unwrap();
         let again = pictures.get("a", || Err("not read again".to_owned())).unwrap();
         assert!(Arc::ptr_eq(&first, &again));
         let error = pictures.get("b", || Ok(bytes.as_slice().into())).unwrap_err();
-        assert!(error.contains("more than 150"), "{error}");
+        assert!(error.contains("a picture of 10 × 10 pixels"), "{error}");
     }
 }

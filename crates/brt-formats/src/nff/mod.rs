@@ -12,12 +12,13 @@ mod reader;
 
 use brt_scene::{Diagnostic, Place, Report, Scene};
 
-use crate::{Limits, ParseError};
+use crate::ParseError;
+use crate::budget::Budget;
 use reader::Reader;
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), ParseError> {
-    let mut reader = Reader::new(bytes, limits);
+pub(crate) fn read(bytes: &[u8], budget: &Budget) -> Result<(Scene, Report), ParseError> {
+    let mut reader = Reader::new(bytes, budget);
     reader.read_commands()?;
     let (scene, places, mut problems) = finish::finish(reader);
     if !problems.has_errors() {

@@ -9,10 +9,9 @@ use brt_scene::{Diagnostic, Object, Shape};
 use super::fill::Fills;
 use super::patches::{Corner, Patches};
 use super::polygon::{Polygon, polygon_shape};
-use crate::limits::Counter;
+use crate::budget::{Budget, Cost, Halt};
 use crate::problems::Problems;
 use crate::words::{Word, Words};
-use crate::{LimitExceeded, Limits};
 
 /// The view as far as the file gives it.
 #[derive(Default)]
@@ -36,7 +35,7 @@ pub(super) struct PlainLight {
 /// What has been read so far.
 pub(super) struct Reader<'b> {
     words: Words<'b>,
-    counter: Counter,
+    budget: &'b Budget<'b>,
     patches: Option<Patches>,
     pub(super) problems: Problems,
     pub(super) view: View,
@@ -50,7 +49,7 @@ pub(super) struct Reader<'b> {
 /// Why a command was not read to its end.
 pub(super) enum Stop {
     Fault(Diagnostic),
-    Limit(LimitExceeded),
+    Halt(Halt),
 }
 
 impl From<Diagnostic> for Stop {
@@ -59,9 +58,9 @@ impl From<Diagnostic> for Stop {
     }
 }
 
-impl From<LimitExceeded> for Stop {
-    fn from(limit: LimitExceeded) -> Self {
-        Self::Limit(limit)
+impl From<Halt> for Stop {
+    fn from(halt: Halt) -> Self {
+        Self::Halt(halt)
     }
 }
 
@@ -83,10 +82,10 @@ const COMMANDS: [&[u8]; 14] = [
 ];
 
 impl<'b> Reader<'b> {
-    pub(super) fn new(bytes: &'b [u8], limits: &Limits) -> Self {
+    pub(super) fn new(bytes: &'b [u8], budget: &'b Budget<'b>) -> Self {
         Self {
             words: Words::new(bytes),
-            counter: Counter::new(limits),
+            budget,
             patches: None,
             problems: Problems::default(),
             view: View::default(),
@@ -99,9 +98,10 @@ impl<'b> Reader<'b> {
     }
 
     /// Reads all commands. After an error it goes on at the next command, to find further ones.
-    pub(super) fn read_commands(&mut self) -> Result<(), LimitExceeded> {
+    pub(super) fn read_commands(&mut self) -> Result<(), Halt> {
         let mut understood = false;
         while let Some(word) = self.words.next() {
+            self.budget.go_on()?;
             if !COMMANDS.contains(&word.bytes) {
                 self.skip_unknown(&word);
                 continue;
@@ -109,7 +109,7 @@ impl<'b> Reader<'b> {
             understood = true;
             match self.command(&word) {
                 Ok(()) => {}
-                Err(Stop::Limit(limit)) => return Err(limit),
+                Err(Stop::Halt(halt)) => return Err(halt),
                 Err(Stop::Fault(fault)) => {
                     self.problems.push(fault);
                     if self.problems.is_full() {
@@ -175,7 +175,7 @@ impl<'b> Reader<'b> {
     fn resolution(&mut self, start: usize) -> Result<(), Stop> {
         const WHAT: &str = "the picture's size, `resolution width height`";
         let size = [self.words.whole(WHAT)?, self.words.whole(WHAT)?];
-        self.counter.picture(size)?;
+        self.budget.limits().allow_picture(size).map_err(Halt::from)?;
         self.view.size = Some(size);
         self.view.size_span = Some(start..self.words.position());
         Ok(())
@@ -190,6 +190,7 @@ impl<'b> Reader<'b> {
     }
 
     fn fill(&mut self, start: usize) -> Result<(), Stop> {
+        self.budget.spend(Cost::Material, 1)?;
         self.fills.read(&mut self.words, start, &mut self.problems)?;
         // Some programs add the name of a texture, which must not be taken for a command.
         if self.words.line_goes_on()
@@ -234,7 +235,7 @@ impl<'b> Reader<'b> {
         let count = self.words.whole("the number of points, `p count`")?;
         let mut points = Vec::new();
         for _ in 0..count {
-            self.counter.points(1)?;
+            self.budget.spend(Cost::Point, 1)?;
             points.push(self.words.vector(WHAT)?);
         }
         let span = start..self.words.position();
@@ -243,7 +244,7 @@ impl<'b> Reader<'b> {
             Polygon::Bent(mesh) => {
                 let message = "the polygon's points are not in one plane: cut into triangles";
                 self.problems.push(Diagnostic::warning(message, Some(span.clone())));
-                self.counter.objects(mesh.triangles.len())?;
+                self.budget.spend(Cost::Triangle, mesh.triangles.len() as u64)?;
                 self.add(mesh.into(), span)
             }
             Polygon::Nothing(why) => {
@@ -258,10 +259,10 @@ impl<'b> Reader<'b> {
         let count = self.words.whole("the number of points, `pp count`")?;
         let mut corners = Vec::new();
         for _ in 0..count {
-            self.counter.points(1)?;
+            self.budget.spend(Cost::Point, 1)?;
             corners.push(Corner { position: self.words.vector(WHAT)?, normal: self.words.vector(WHAT)? });
         }
-        self.counter.objects(corners.len())?;
+        self.budget.spend(Cost::Triangle, corners.len() as u64)?;
         let span = start..self.words.position();
         let patches = self.patches.get_or_insert_with(|| Patches::new(start));
         if let Err(why) = patches.add(&corners) {
@@ -290,7 +291,7 @@ impl<'b> Reader<'b> {
     }
 
     fn add(&mut self, shape: Shape, span: Range<usize>) -> Result<(), Stop> {
-        self.counter.objects(1)?;
+        self.budget.spend(Cost::Shape, 1)?;
         self.put(shape, span);
         Ok(())
     }

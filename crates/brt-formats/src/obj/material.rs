@@ -11,14 +11,14 @@ use brt_image::Rgb;
 use brt_scene::{Material, MaterialId};
 
 use super::map::Map;
-use crate::Limits;
+use crate::budget::{Budget, Cost};
 use crate::import::{Beside, Draft, Pictures, srgb};
 use crate::words::{Word, Words};
 
 /// Materials by name.
-pub(super) struct Materials {
+pub(super) struct Materials<'b> {
     ids: HashMap<String, MaterialId>,
-    pictures: Pictures,
+    pictures: Pictures<'b>,
 }
 
 /// A material as the file has it.
@@ -35,9 +35,9 @@ struct Entry {
     glows: bool,
 }
 
-impl Materials {
-    pub(super) fn new(limits: &Limits) -> Self {
-        Self { ids: HashMap::new(), pictures: Pictures::new(limits) }
+impl<'b> Materials<'b> {
+    pub(super) fn new(budget: &'b Budget<'b>) -> Self {
+        Self { ids: HashMap::new(), pictures: Pictures::new(budget) }
     }
 
     pub(super) fn find(&self, name: &str) -> Option<MaterialId> {
@@ -45,8 +45,15 @@ impl Materials {
     }
 
     /// Reads a library beside the OBJ file. The error says why it could not be read.
-    pub(super) fn read(&mut self, name: &str, beside: &mut Beside, draft: &mut Draft) -> Result<(), String> {
+    pub(super) fn read(
+        &mut self,
+        name: &str,
+        beside: &mut Beside<'b>,
+        draft: &mut Draft<'b>,
+    ) -> Result<(), String> {
         let bytes = beside.read(name)?;
+        let count = bytes.windows(6).filter(|word| word == b"newmtl").count() as u64;
+        draft.budget.spend(Cost::Material, count).map_err(|halt| halt.text())?;
         let slash = name.rfind(['/', '\\']).map_or(0, |at| at + 1);
         let mut library = Library { folder: &name[..slash], materials: self, beside, draft };
         let mut words = Words::new(&bytes);
@@ -68,15 +75,15 @@ impl Materials {
 }
 
 /// A library that is read.
-struct Library<'l> {
+struct Library<'l, 'b> {
     /// With a slash at its end, if it is another than that of the OBJ file.
     folder: &'l str,
-    materials: &'l mut Materials,
-    beside: &'l mut Beside,
-    draft: &'l mut Draft,
+    materials: &'l mut Materials<'b>,
+    beside: &'l mut Beside<'b>,
+    draft: &'l mut Draft<'b>,
 }
 
-impl Library<'_> {
+impl Library<'_, '_> {
     fn line(&mut self, word: &Word, words: &mut Words, entry: &mut Entry) {
         let what = word.excerpt();
         let known = match what.as_str() {

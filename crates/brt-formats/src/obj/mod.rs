@@ -11,15 +11,20 @@ mod reader;
 
 use brt_scene::framing::Up;
 
+use crate::ParseError;
+use crate::budget::Budget;
 use crate::import::{Beside, Draft};
 use crate::load::Imported;
-use crate::{Limits, ParseError};
 pub(crate) use reader::read as read_file;
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusY);
-    match read_file(bytes, beside, limits, &mut draft) {
+pub(crate) fn read<'b>(
+    bytes: &'b [u8],
+    beside: &mut Beside<'b>,
+    budget: &'b Budget<'b>,
+) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusY);
+    match read_file(bytes, beside, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }

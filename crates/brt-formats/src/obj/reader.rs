@@ -6,22 +6,17 @@ use brt_scene::MaterialId;
 
 use super::face::{Chunk, Corner, Lists};
 use super::material::Materials;
-use crate::Limits;
+use crate::budget::Cost;
 use crate::import::{Beside, Draft, Stop, fault, srgb};
 use crate::words::{Word, Words};
 
 /// Reads a file into a model.
-pub(crate) fn read(
-    bytes: &[u8],
-    beside: &mut Beside,
-    limits: &Limits,
-    draft: &mut Draft,
-) -> Result<(), Stop> {
+pub(crate) fn read<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
     let mut reader = Reader {
         words: Words::new(bytes),
         lists: Lists::default(),
         chunk: Chunk::default(),
-        materials: Materials::new(limits),
+        materials: Materials::new(draft.budget),
         material: None,
         name: None,
         group: 0,
@@ -37,19 +32,25 @@ struct Reader<'b> {
     words: Words<'b>,
     lists: Lists,
     chunk: Chunk,
-    materials: Materials,
+    materials: Materials<'b>,
     material: Option<MaterialId>,
     name: Option<String>,
     group: u32,
     has_groups: bool,
 }
 
-impl Reader<'_> {
-    fn line(&mut self, word: &Word, beside: &mut Beside, draft: &mut Draft) -> Result<(), Stop> {
+impl<'b> Reader<'b> {
+    fn line(&mut self, word: &Word, beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
         match word.bytes {
             b"v" => self.point(draft)?,
-            b"vn" => self.lists.normals.push(self.words.vector("a normal, `vn x y z`")?),
-            b"vt" => self.texcoord(),
+            b"vn" => {
+                draft.budget.spend(Cost::Number, 3)?;
+                self.lists.normals.push(self.words.vector("a normal, `vn x y z`")?);
+            }
+            b"vt" => {
+                draft.budget.spend(Cost::Number, 2)?;
+                self.texcoord();
+            }
             b"f" => self.face(word, draft)?,
             b"s" => self.smoothing(),
             b"o" | b"g" => {
@@ -89,7 +90,7 @@ impl Reader<'_> {
 
     /// A point, and its colour where three more numbers follow.
     fn point(&mut self, draft: &mut Draft) -> Result<(), Stop> {
-        draft.expect(1, 0)?;
+        draft.budget.spend(Cost::Number, 3)?;
         self.lists.positions.push(self.words.vector("a point, `v x y z`")?);
         let more: Vec<f64> =
             std::iter::from_fn(|| self.words.next_on_line()).take(4).map_while(|w| w.finite()).collect();

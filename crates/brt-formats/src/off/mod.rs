@@ -8,14 +8,15 @@ use brt_image::{Rgb, rgb};
 use brt_scene::framing::Up;
 use brt_scene::{Material, MaterialId};
 
+use crate::ParseError;
+use crate::budget::Budget;
 use crate::import::{CREASE_DEG, Crease, Draft, Geometry, Stop, fan_or_cut, fault, srgb};
 use crate::load::Imported;
 use crate::words::{Word, Words};
-use crate::{Limits, ParseError};
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusZ);
+pub(crate) fn read(bytes: &[u8], budget: &Budget) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusZ);
     match read_file(bytes, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
@@ -39,6 +40,7 @@ pub(crate) fn read_file(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
     draft.expect(points as usize, faces as usize)?;
     let mut geometry = Geometry::default();
     for _ in 0..points {
+        draft.budget.go_on()?;
         geometry.positions.push(words.vector("a point, `x y z`")?);
         if kind.normals {
             geometry.normals.push(words.vector("the point's normal, `x y z`")?);
@@ -95,7 +97,8 @@ fn read_faces(words: &mut Words, count: u32, positions: &[Vec3], draft: &mut Dra
         let color = color_of(&numbers).map(codes);
         let points: Vec<Vec3> = corners.iter().map(|&i| positions[i as usize]).collect();
         let cut = fan_or_cut(&points);
-        draft.expect(0, cut.len())?;
+        // One for each face is expected already.
+        draft.expect(0, cut.len().saturating_sub(1))?;
         triangles.extend(cut.iter().map(|t| (t.map(|k| corners[k as usize]), color)));
     }
     Ok(triangles)
@@ -124,7 +127,7 @@ fn add_faces(geometry: &Geometry, mut faces: Faces, draft: &mut Draft) -> Result
     faces.sort_by_key(|(_, color)| *color);
     for group in faces.chunk_by(|a, b| a.1 == b.1) {
         let material = match group[0].1 {
-            Some(color) => colored(color, draft),
+            Some(color) => colored(color, draft)?,
             None => draft.plain(),
         };
         let part = geometry.part(group.iter().map(|(t, _)| *t).collect());
@@ -133,8 +136,8 @@ fn add_faces(geometry: &Geometry, mut faces: Faces, draft: &mut Draft) -> Result
     Ok(())
 }
 
-fn colored(color: [u8; 3], draft: &mut Draft) -> MaterialId {
+fn colored(color: [u8; 3], draft: &mut Draft) -> Result<MaterialId, Stop> {
     let [r, g, b] = color;
     let linear = color.map(|c| f64::from(c) / 255.0);
-    draft.scene.add_material(Material::matte(format!("#{r:02x}{g:02x}{b:02x}"), linear.into()))
+    Ok(draft.add_material(Material::matte(format!("#{r:02x}{g:02x}{b:02x}"), linear.into()))?)
 }

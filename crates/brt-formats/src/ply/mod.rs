@@ -9,7 +9,7 @@ mod element;
 mod write;
 
 use std::borrow::Cow;
-use std::io::Cursor;
+use std::io::{BufRead, BufReader, Cursor};
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::Rgb;
@@ -18,10 +18,11 @@ use brt_scene::{Material, Texture};
 use ply_rs_bw::parser::{ParseError as PlyError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header};
 
+use crate::ParseError;
+use crate::budget::{Budget, Watched};
 use crate::import::{Beside, CREASE_DEG, Crease, Draft, Geometry, Pictures, Stop, fan_or_cut, fault};
 use crate::load::Imported;
 use crate::words::excerpt;
-use crate::{Limits, ParseError};
 use element::{Face, Ignored, Vertex};
 
 pub(crate) use write::write;
@@ -30,24 +31,48 @@ pub(crate) use write::write;
 const EXACT: &str = "brt: a mesh as it is, colors are linear, t points down";
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], beside: &mut Beside, limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusZ);
-    match read_file(bytes, beside, limits, &mut draft) {
+pub(crate) fn read(bytes: &[u8], beside: &mut Beside, budget: &Budget) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusZ);
+    match read_file(bytes, beside, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
     }
 }
 
 /// Reads a file into a model.
-pub(crate) fn read_file(
-    bytes: &[u8],
-    beside: &mut Beside,
-    limits: &Limits,
+pub(crate) fn read_file(bytes: &[u8], beside: &mut Beside, draft: &mut Draft) -> Result<(), Stop> {
+    // Bytes of the file itself: nothing is unpacked, but reading them may be cancelled.
+    let mut watched = Watched::new(Cursor::new(bytes), draft.budget, "the file", bytes.len() as u64);
+    let read = read_elements(BufReader::new(&mut watched), bytes.len(), draft);
+    if let Some(halt) = watched.halt {
+        return Err(halt.into());
+    }
+    let (header, vertices, faces) = read?;
+    if faces.is_empty() && !vertices.is_empty() {
+        return Err(fault("points without faces are not shown", None));
+    }
+    let geometry = geometry_of(&vertices, &faces, &header, draft)?;
+    drop((vertices, faces));
+    let material = match texture(&header, &geometry, beside, draft) {
+        Some(texture) => {
+            let white = Material::matte("textured", Rgb::WHITE);
+            draft.add_material(Material { texture: Some(texture), ..white })?
+        }
+        None => draft.plain(),
+    };
+    let smooth = geometry.normals.is_empty() && !is_exact(&header);
+    let crease = smooth.then(|| Crease::new(CREASE_DEG));
+    Ok(draft.add_geometry(geometry, crease.as_ref(), material, None)?)
+}
+
+fn read_elements(
+    bytes: impl BufRead,
+    length: usize,
     draft: &mut Draft,
-) -> Result<(), Stop> {
-    let mut reader = Reader::new(Cursor::new(bytes));
+) -> Result<(Header, Vec<Vertex>, Vec<Face>), Stop> {
+    let mut reader = Reader::new(bytes);
     let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(|error| broken(&error))?;
-    check_counts(&header, bytes.len(), draft)?;
+    check_counts(&header, length, draft)?;
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (name, element) in &header.elements {
         match name.as_str() {
@@ -73,20 +98,7 @@ pub(crate) fn read_file(
             }
         }
     }
-    if faces.is_empty() && !vertices.is_empty() {
-        return Err(fault("points without faces are not shown", None));
-    }
-    let geometry = geometry_of(&vertices, &faces, &header, draft)?;
-    let material = match texture(&header, &geometry, beside, limits, draft) {
-        Some(texture) => {
-            let white = Material::matte("textured", Rgb::WHITE);
-            draft.scene.add_material(Material { texture: Some(texture), ..white })
-        }
-        None => draft.plain(),
-    };
-    let smooth = geometry.normals.is_empty() && !is_exact(&header);
-    let crease = smooth.then(|| Crease::new(CREASE_DEG));
-    Ok(draft.add_geometry(geometry, crease.as_ref(), material, None)?)
+    Ok((header, vertices, faces))
 }
 
 /// Was it written by us, as it is in our scene?
@@ -95,13 +107,7 @@ fn is_exact(header: &Header) -> bool {
 }
 
 /// The picture that the file names, if its points lie in one.
-fn texture(
-    header: &Header,
-    geometry: &Geometry,
-    beside: &mut Beside,
-    limits: &Limits,
-    draft: &mut Draft,
-) -> Option<Texture> {
+fn texture(header: &Header, geometry: &Geometry, beside: &mut Beside, draft: &mut Draft) -> Option<Texture> {
     if draft.is_bare() {
         return None;
     }
@@ -120,7 +126,7 @@ fn texture(
             return None;
         }
     };
-    match Pictures::new(limits).get(name, || beside.read(name).map(Cow::Owned)) {
+    match Pictures::new(draft.budget).get(name, || beside.read(name).map(Cow::Owned)) {
         Ok(picture) => Some(Texture::new(picture)),
         Err(why) => {
             draft.notices.say(&format!("the picture `{}` cannot be read: {why}", excerpt(name)));
@@ -187,7 +193,8 @@ fn geometry_of(
             }
         }
         let cut = fan_or_cut(&points);
-        draft.expect(0, cut.len())?;
+        // One for each face is expected already.
+        draft.expect(0, cut.len().saturating_sub(1))?;
         geometry.triangles.extend(cut.iter().map(|t| t.map(|k| face.indices[k as usize] as u32)));
     }
     Ok(geometry)

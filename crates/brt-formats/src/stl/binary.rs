@@ -30,11 +30,15 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
         return Err(fault(message, None));
     }
     draft.expect(0, count as usize)?;
+    let mut solid = Solid {
+        triangles: draft.budget.list(count as usize, || "the triangles".to_owned())?,
+        ..Solid::default()
+    };
     let after = body.len() as u64 - count * TRIANGLE as u64;
     draft.notices.note_many("bytes after the last triangle ignored", after, format!("triangle {count}"));
-    let mut solid = Solid { triangles: Vec::with_capacity(count as usize), ..Solid::default() };
     let mut attributes = 0;
     for record in body.chunks_exact(TRIANGLE).take(count as usize) {
+        draft.budget.go_on()?;
         solid.triangles.push([12, 24, 36].map(|at| {
             let coordinate = |i: usize| {
                 let b = &record[at + 4 * i..at + 4 * i + 4];

@@ -8,15 +8,16 @@ mod binary;
 
 use brt_scene::framing::Up;
 
+use crate::ParseError;
+use crate::budget::Budget;
 use crate::import::{CREASE_DEG, Crease, Draft, Geometry, Stop, Weld};
 use crate::load::Imported;
-use crate::{Limits, ParseError};
 
 pub(crate) use binary::is_binary;
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusZ);
+pub(crate) fn read(bytes: &[u8], budget: &Budget) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusZ);
     match read_file(bytes, &mut draft) {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),
@@ -43,8 +44,8 @@ struct Solid {
 
 impl Solid {
     fn add_to(self, draft: &mut Draft) -> Result<(), Stop> {
-        let Self { name, weld, triangles } = self;
-        let geometry = Geometry { positions: weld.positions, triangles, ..Geometry::default() };
+        let Self { name, weld: Weld { positions, .. }, triangles } = self;
+        let geometry = Geometry { positions, triangles, ..Geometry::default() };
         let material = draft.plain();
         Ok(draft.add_geometry(geometry, Some(&Crease::new(CREASE_DEG)), material, name.as_deref())?)
     }

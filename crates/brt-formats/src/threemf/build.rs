@@ -7,72 +7,81 @@ use brt_image::Rgb;
 use brt_scene::{Material, MaterialId};
 
 use super::xml::{Component, Model, Object, Property};
-use crate::Limits;
-use crate::import::{Affine, CREASE_DEG, Crease, Draft, Geometry, Stop, fault};
-
-/// Components that are visited at most: those of empty objects cost time, too.
-const MOST_VISITS: u32 = 1_000_000;
+use crate::budget::Cost;
+use crate::import::{Affine, CREASE_DEG, Crease, Draft, Geometry, Graph, Instances, Stop, fault};
 
 /// Builds what the file asks for, or everything where it asks for nothing.
 pub(super) fn build(model: &Model, draft: &mut Draft) -> Result<(), Stop> {
-    let mut builder = Builder { model, draft, materials: HashMap::new(), visits: 0 };
+    let mut everything = Vec::new();
     if model.items.is_empty() {
         let mut ids: Vec<u32> = model.objects.keys().copied().collect();
         ids.sort_unstable();
-        for object in ids {
-            builder.add(&Component { object, transform: Affine::IDENTITY }, &Affine::IDENTITY, 0)?;
-        }
+        everything.extend(ids.into_iter().map(|object| Component { object, transform: Affine::IDENTITY }));
     }
-    for item in &model.items {
-        builder.add(item, &Affine::IDENTITY, 0)?;
-    }
-    Ok(())
+    let items = if model.items.is_empty() { &everything } else { &model.items };
+    let instances = Instances::count(model, items.iter().map(|item| item.object), draft.budget)?;
+    let mut builder = Builder { model, draft, materials: HashMap::new(), instances };
+    items.iter().try_for_each(|item| builder.add(item, &Affine::IDENTITY))
 }
 
-struct Builder<'m, 'd> {
-    model: &'m Model,
-    draft: &'d mut Draft,
-    materials: HashMap<[u64; 3], MaterialId>,
-    visits: u32,
-}
+impl Graph for Model {
+    type Node = u32;
 
-impl Builder<'_, '_> {
-    fn add(&mut self, component: &Component, outer: &Affine, depth: usize) -> Result<(), Stop> {
-        let id = component.object;
-        let Some(object) = self.model.objects.get(&id) else {
+    fn shown(&self, id: u32) -> Result<Option<u64>, Stop> {
+        let Some(object) = self.objects.get(&id) else {
             return Err(fault(format!("there is no object {id}"), None));
         };
-        self.visits += 1;
-        if depth > Limits::NESTING || self.visits > MOST_VISITS {
-            return Err(fault(
-                format!("components of object {id} nest too deep, or contain themselves"),
-                None,
-            ));
-        }
+        let (points, triangles) = (object.positions.len() as u64, object.triangles.len() as u64);
+        let bytes = points * Cost::Point.bytes() + triangles * Cost::Triangle.bytes() + Cost::Use.bytes();
+        Ok((triangles > 0).then_some(bytes))
+    }
+
+    fn below(&self, id: u32) -> Vec<u32> {
+        let components = self.objects.get(&id).map_or(&[][..], |object| &object.components);
+        components.iter().map(|component| component.object).collect()
+    }
+
+    fn fault(&self, id: u32, what: &str) -> Stop {
+        fault(format!("object {id} {what}"), None)
+    }
+}
+
+struct Builder<'m, 'd, 'b> {
+    model: &'m Model,
+    draft: &'d mut Draft<'b>,
+    materials: HashMap<[u64; 3], MaterialId>,
+    instances: Instances<u32>,
+}
+
+impl Builder<'_, '_, '_> {
+    fn add(&mut self, component: &Component, outer: &Affine) -> Result<(), Stop> {
+        let id = component.object;
+        let object = match self.model.objects.get(&id) {
+            Some(object) if self.instances.shows(id) => object,
+            _ => return Ok(()),
+        };
         let transform = outer.after(&component.transform);
         self.mesh(id, object, &transform)?;
-        object.components.iter().try_for_each(|inner| self.add(inner, &transform, depth + 1))
+        object.components.iter().try_for_each(|inner| self.add(inner, &transform))
     }
 
     fn mesh(&mut self, id: u32, object: &Object, transform: &Affine) -> Result<(), Stop> {
         let count = object.positions.len();
-        // What an instance costs is counted even where no triangle uses the points.
-        self.draft.expect(count, 0)?;
         let mut groups: Vec<(MaterialId, Vec<[u32; 3]>)> = Vec::new();
         let mut mixed = Mixed::default();
         let mut index = HashMap::new();
         for (i, triangle) in object.triangles.iter().enumerate() {
-            if let Some(v) = triangle.corners.iter().find(|&&v| v as usize >= count) {
+            if let Some(v) = triangle.iter().find(|&&v| v as usize >= count) {
                 return Err(fault(
                     format!("triangle {i} of object {id} names point {v}, but there are {count}"),
                     None,
                 ));
             }
-            let material = match self.colors(triangle.property)? {
+            let material = match self.colors(object.property(i))? {
                 None => self.draft.plain(),
-                Some([a, b, c]) if a == b && b == c => self.material(a),
+                Some([a, b, c]) if a == b && b == c => self.material(a)?,
                 Some(colors) => {
-                    mixed.add(triangle.corners, colors);
+                    mixed.add(*triangle, colors);
                     continue;
                 }
             };
@@ -80,7 +89,7 @@ impl Builder<'_, '_> {
                 groups.push((material, Vec::new()));
                 groups.len() - 1
             });
-            groups[group].1.push(triangle.corners);
+            groups[group].1.push(*triangle);
         }
         let positions: Vec<Vec3> = object.positions.iter().map(|&p| transform.point(p)).collect();
         let whole = Geometry { positions, ..Geometry::default() };
@@ -89,7 +98,7 @@ impl Builder<'_, '_> {
             self.add_part(whole.part(triangles), material, transform, name)?;
         }
         if !mixed.triangles.is_empty() {
-            let white = self.material(Rgb::WHITE);
+            let white = self.material(Rgb::WHITE)?;
             self.add_part(mixed.geometry(&whole), white, transform, name)?;
         }
         Ok(())
@@ -124,12 +133,13 @@ impl Builder<'_, '_> {
         Ok(Some(found))
     }
 
-    fn material(&mut self, color: Rgb) -> MaterialId {
-        let draft = &mut *self.draft;
-        *self
-            .materials
-            .entry(bits(color))
-            .or_insert_with(|| draft.scene.add_material(Material::matte("color", color)))
+    fn material(&mut self, color: Rgb) -> Result<MaterialId, Stop> {
+        if let Some(&known) = self.materials.get(&bits(color)) {
+            return Ok(known);
+        }
+        let id = self.draft.add_material(Material::matte("color", color))?;
+        self.materials.insert(bits(color), id);
+        Ok(id)
     }
 }
 

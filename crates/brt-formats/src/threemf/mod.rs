@@ -9,17 +9,16 @@ mod xml;
 
 use brt_scene::framing::Up;
 
+use crate::ParseError;
+use crate::budget::Budget;
 use crate::import::Draft;
 use crate::load::Imported;
-use crate::{Limits, ParseError};
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
-    let mut draft = Draft::new(limits, Up::PlusZ);
-    let read = package::model_part(bytes, limits).and_then(|part| {
-        let model = xml::read(&part, &mut draft)?;
-        build::build(&model, &mut draft)
-    });
+pub(crate) fn read(bytes: &[u8], budget: &Budget) -> Result<Imported, ParseError> {
+    let mut draft = Draft::new(budget, Up::PlusZ);
+    let read = package::read_model(bytes, budget, |part| xml::read(part, &mut draft))
+        .and_then(|model| build::build(&model, &mut draft));
     match read {
         Ok(()) => draft.finish(),
         Err(stop) => Err(draft.stopped(stop)),

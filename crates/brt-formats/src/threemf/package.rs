@@ -1,24 +1,33 @@
 //! The zip file around the model.
 
-use std::io::{Cursor, Read};
+use std::io::{BufRead, BufReader, Cursor, Read};
 
 use zip::ZipArchive;
 
+use crate::budget::{Budget, Watched};
 use crate::import::{Stop, fault};
-use crate::{LimitKind, Limits};
 
-/// The model's XML. What a part says about its own size is not trusted: reading stops at the limit of bytes.
-pub(super) fn model_part(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, Stop> {
+/// Reads the model's XML while it is unpacked.
+pub(super) fn read_model<T>(
+    bytes: &[u8],
+    budget: &Budget,
+    read: impl FnOnce(&mut dyn BufRead) -> Result<T, Stop>,
+) -> Result<T, Stop> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
-    let name = model_name(&mut archive, limits)?;
-    read_part(&mut archive, &name, limits)
+    let name = model_name(&mut archive, budget)?;
+    read_part(&mut archive, &name, budget, read)
 }
 
 /// The relations name the model; files of careless programs have it at the usual place.
-fn model_name(archive: &mut ZipArchive<Cursor<&[u8]>>, limits: &Limits) -> Result<String, Stop> {
+fn model_name(archive: &mut ZipArchive<Cursor<&[u8]>>, budget: &Budget) -> Result<String, Stop> {
     let is_model = |name: &str| name.to_ascii_lowercase().ends_with(".model");
-    if let Ok(relations) = read_part(archive, "_rels/.rels", limits) {
-        let text = String::from_utf8_lossy(&relations);
+    /// Those that programs write have a few hundred bytes.
+    const MOST_RELATIONS: u64 = 1 << 20;
+    let mut text = String::new();
+    let read = |part: &mut dyn BufRead| {
+        part.take(MOST_RELATIONS).read_to_string(&mut text).map_err(|error| fault(error.to_string(), None))
+    };
+    if read_part(archive, "_rels/.rels", budget, read).is_ok() {
         let target = text
             .split("Target=\"")
             .skip(1)
@@ -37,14 +46,22 @@ fn model_name(archive: &mut ZipArchive<Cursor<&[u8]>>, limits: &Limits) -> Resul
     found.ok_or_else(|| fault("there is no model in this zip file", None))
 }
 
-fn read_part(archive: &mut ZipArchive<Cursor<&[u8]>>, name: &str, limits: &Limits) -> Result<Vec<u8>, Stop> {
+/// Hands a part's content to a reader. What it says about its own size is not trusted, but may tell that it is too much.
+fn read_part<T>(
+    archive: &mut ZipArchive<Cursor<&[u8]>>,
+    name: &str,
+    budget: &Budget,
+    read: impl FnOnce(&mut dyn BufRead) -> Result<T, Stop>,
+) -> Result<T, Stop> {
     let part = archive.by_name(name).map_err(|error| broken(&error))?;
-    let mut content = Vec::new();
-    part.take(limits.bytes.saturating_add(1))
-        .read_to_end(&mut content)
-        .map_err(|error| fault(format!("`{name}` cannot be unpacked: {error}"), None))?;
-    limits.allows(LimitKind::Bytes, content.len() as u64)?;
-    Ok(content)
+    let (packed, unpacked) = (part.compressed_size(), part.size());
+    let mut watched = Watched::new(part, budget, name, packed);
+    watched.allow(unpacked)?;
+    let read = read(&mut BufReader::with_capacity(1 << 16, &mut watched));
+    match watched.halt {
+        Some(halt) => Err(halt.into()),
+        None => read,
+    }
 }
 
 fn broken(error: &zip::result::ZipError) -> Stop {

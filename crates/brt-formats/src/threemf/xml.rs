@@ -1,11 +1,15 @@
 //! The model's XML, in one pass: resources and what is built of them.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::io::BufRead;
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::Rgb;
 use quick_xml::Reader;
+use quick_xml::events::attributes::Attribute;
 use quick_xml::events::{BytesStart, Event};
+use quick_xml::name::QName;
 
 use crate::import::{Affine, Draft, Stop, fault, srgb};
 
@@ -23,19 +27,24 @@ pub(super) struct Model {
 pub(super) struct Object {
     pub(super) name: Option<String>,
     pub(super) positions: Vec<Vec3>,
-    pub(super) triangles: Vec<Triangle>,
+    /// Corners of each triangle.
+    pub(super) triangles: Vec<[u32; 3]>,
     pub(super) components: Vec<Component>,
+    /// The property of triangles that have none of their own.
     property: Property,
+    /// Those of the first triangles, as far as any has its own.
+    properties: Vec<Property>,
 }
 
-/// A triangle and its property, if it or its object has one.
-pub(super) struct Triangle {
-    pub(super) corners: [u32; 3],
-    pub(super) property: Property,
+impl Object {
+    /// The property of a triangle.
+    pub(super) fn property(&self, triangle: usize) -> Property {
+        self.properties.get(triangle).copied().unwrap_or(self.property)
+    }
 }
 
 /// A property group and indices in it, one per corner.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, PartialEq)]
 pub(super) struct Property {
     pub(super) group: Option<u32>,
     pub(super) indices: [u32; 3],
@@ -48,12 +57,14 @@ pub(super) struct Component {
 }
 
 /// Reads the model.
-pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<Model, Stop> {
+pub(super) fn read(bytes: &mut dyn BufRead, draft: &mut Draft) -> Result<Model, Stop> {
     let mut reader = Reader::from_reader(bytes);
+    let mut buffer = Vec::new();
     let mut parser = Parser { model: Model::default(), object: None, group: None };
     loop {
         let position = reader.buffer_position();
-        match reader.read_event() {
+        buffer.clear();
+        match reader.read_event_into(&mut buffer) {
             Ok(Event::Start(tag) | Event::Empty(tag)) => parser.open(&tag, draft)?,
             Ok(Event::End(tag)) if tag.local_name().as_ref() == "object" => parser.end_object(),
             Ok(Event::Eof) => return Ok(parser.model),
@@ -139,7 +150,11 @@ impl Parser {
             }
             (_, None) => object.property,
         };
-        object.triangles.push(Triangle { corners, property });
+        if property != object.property {
+            object.properties.resize(object.triangles.len(), object.property);
+            object.properties.push(property);
+        }
+        object.triangles.push(corners);
         Ok(())
     }
 
@@ -178,26 +193,25 @@ fn hex(text: &str) -> Option<Rgb> {
 }
 
 /// The attributes of a tag, without prefixes.
-struct Attributes {
-    tag: String,
-    values: Vec<(String, String)>,
+struct Attributes<'t> {
+    tag: &'t BytesStart<'t>,
+    values: Vec<(QName<'t>, Cow<'t, str>)>,
 }
 
-impl Attributes {
-    fn of(tag: &BytesStart) -> Result<Self, Stop> {
-        let name = tag.local_name().as_ref().to_owned();
-        let mut values = Vec::new();
+impl<'t> Attributes<'t> {
+    fn of(tag: &'t BytesStart) -> Result<Self, Stop> {
+        let name = || tag.local_name().as_ref().to_owned();
+        let mut values = Vec::with_capacity(4);
         for attribute in tag.attributes().with_checks(false) {
-            let attribute =
-                attribute.map_err(|error| fault(format!("attributes of `{name}`: {error}"), None))?;
-            let key = attribute.key.local_name().as_ref().to_owned();
-            values.push((key, attribute.value.into_owned()));
+            let Attribute { key, value } =
+                attribute.map_err(|error| fault(format!("attributes of `{}`: {error}", name()), None))?;
+            values.push((key, value));
         }
-        Ok(Self { tag: name, values })
+        Ok(Self { tag, values })
     }
 
     fn text(&self, key: &str) -> Option<&str> {
-        self.values.iter().find(|(k, _)| k == key).map(|(_, value)| value.as_str())
+        self.values.iter().find(|(k, _)| k.local_name().as_ref() == key).map(|(_, value)| &**value)
     }
 
     fn number(&self, key: &str) -> Result<f64, Stop> {
@@ -215,6 +229,6 @@ impl Attributes {
     }
 
     fn missing(&self, key: &str, expected: &str) -> Stop {
-        fault(format!("`{}` has no `{key}`, expected {expected}", self.tag), None)
+        fault(format!("`{}` has no `{key}`, expected {expected}", self.tag.local_name().as_ref()), None)
     }
 }

@@ -8,26 +8,23 @@ use base64::Engine as _;
 use brt_scene::{Diagnostic, Mesh, Texels};
 
 use super::value::{Value, error, text};
-use crate::Limits;
+use crate::budget::Budget;
 use crate::import::{Beside, Pictures};
 use crate::meshes;
 use crate::problems::Problems;
 use crate::words::excerpt;
 
 /// The files beside a scene.
-pub(super) struct Files<'b> {
-    beside: &'b mut Beside,
-    limits: Limits,
-    pictures: Pictures,
+pub(super) struct Files<'f, 'b> {
+    beside: &'f mut Beside<'b>,
+    budget: &'f Budget<'f>,
+    pictures: Pictures<'f>,
     meshes: HashMap<String, Result<Vec<Arc<Mesh>>, String>>,
-    /// Points of meshes that were read and are not counted yet.
-    pub(super) fresh_points: usize,
 }
 
-impl<'b> Files<'b> {
-    pub(super) fn new(beside: &'b mut Beside, limits: &Limits) -> Self {
-        let pictures = Pictures::new(limits);
-        Self { beside, limits: *limits, pictures, meshes: HashMap::new(), fresh_points: 0 }
+impl<'f, 'b> Files<'f, 'b> {
+    pub(super) fn new(beside: &'f mut Beside<'b>, budget: &'f Budget<'f>) -> Self {
+        Self { beside, budget, pictures: Pictures::new(budget), meshes: HashMap::new() }
     }
 
     /// The picture in a file.
@@ -76,7 +73,7 @@ impl<'b> Files<'b> {
         problems: &mut Problems,
     ) -> Result<Vec<Arc<Mesh>>, String> {
         let bytes = self.beside.read(name)?;
-        let meshes::Meshes { meshes, report } = meshes::read(name, &bytes, &self.limits)?;
+        let meshes::Meshes { meshes, report } = meshes::read(name, &bytes, self.budget)?;
         if meshes.is_empty() {
             return Err("there is nothing to see in it".to_owned());
         }
@@ -84,7 +81,6 @@ impl<'b> Files<'b> {
             let message = format!("in `{}`: {}", excerpt(name), warning.message);
             problems.push(Diagnostic::warning(message, Some(value.span())));
         }
-        self.fresh_points += meshes.iter().map(|mesh| mesh.positions.len()).sum::<usize>();
         Ok(meshes)
     }
 }

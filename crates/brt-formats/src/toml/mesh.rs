@@ -9,8 +9,7 @@ use toml::de::{DeTable, DeValue};
 use super::fields::{Fields, did_you_mean};
 use super::files::Files;
 use super::value::{Value, colors, error, mismatch, pairs, triangles, vectors};
-use crate::LimitExceeded;
-use crate::limits::Counter;
+use crate::budget::{Budget, Cost, Halt};
 use crate::problems::Problems;
 use crate::words::excerpt;
 
@@ -23,9 +22,9 @@ pub(super) type Meshes<'v> = HashMap<&'v str, Option<Arc<Mesh>>>;
 /// Reads the tables `[meshes.NAME]`.
 pub(super) fn read_meshes<'v>(
     root: &'v DeTable,
-    counter: &mut Counter,
+    budget: &Budget,
     problems: &mut Problems,
-) -> Result<Meshes<'v>, LimitExceeded> {
+) -> Result<Meshes<'v>, Halt> {
     let Some(value) = root.get("meshes") else { return Ok(Meshes::new()) };
     let DeValue::Table(table) = value.get_ref() else {
         problems.push(mismatch(value, "tables [meshes.NAME]"));
@@ -39,7 +38,7 @@ pub(super) fn read_meshes<'v>(
             fields.only(&[MESH_FIELDS]);
             read_mesh(&mut fields)
         });
-        counter.points(mesh.as_ref().map_or(0, |m| m.positions.len()))?;
+        budget.spend(Cost::Point, mesh.as_ref().map_or(0, |m| m.positions.len()) as u64)?;
         meshes.insert(key.get_ref().as_ref(), mesh.map(Arc::new));
     }
     Ok(meshes)

@@ -21,10 +21,10 @@ mod write_texture;
 use brt_scene::{Diagnostic, Report, Scene};
 use toml::de::DeTable;
 
+use crate::ParseError;
+use crate::budget::{Budget, Cost};
 use crate::import::Beside;
-use crate::limits::Counter;
 use crate::problems::Problems;
-use crate::{LimitKind, Limits, ParseError};
 
 use files::Files;
 pub use write::write_toml;
@@ -34,11 +34,11 @@ pub(crate) use write_files::write_beside;
 pub(crate) fn read(
     bytes: &[u8],
     beside: &mut Beside,
-    limits: &Limits,
+    budget: &Budget,
 ) -> Result<(Scene, Report), ParseError> {
     let text =
         std::str::from_utf8(bytes).map_err(|error| ParseError::NotUtf8 { position: error.valid_up_to() })?;
-    limits.allows(LimitKind::Words, most_words(bytes))?;
+    budget.spend(Cost::Word, most_words(bytes))?;
     let mut problems = Problems::default();
     let root = match DeTable::parse(text) {
         Ok(root) => root,
@@ -47,9 +47,8 @@ pub(crate) fn read(
             return Err(ParseError::Malformed(problems.into_report()));
         }
     };
-    let mut counter = Counter::new(limits);
-    let mut files = Files::new(beside, limits);
-    let read = scene::read_scene(root.get_ref(), &mut files, &mut counter, &mut problems)?;
+    let mut files = Files::new(beside, budget);
+    let read = scene::read_scene(root.get_ref(), &mut files, budget, &mut problems)?;
     for problem in read.scene.check() {
         let span = read.span(problem.place);
         problems.push(Diagnostic::error(problem.message, span).expecting(problem.expected));

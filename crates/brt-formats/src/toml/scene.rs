@@ -16,8 +16,7 @@ use super::material::read_material;
 use super::mesh::{Meshes, read_meshes};
 use super::shape::read_shapes;
 use super::value::{Value, color, error, matrix, mismatch, number, one_of, size, text, vector, whole};
-use crate::LimitExceeded;
-use crate::limits::Counter;
+use crate::budget::{Budget, Cost, Halt};
 use crate::problems::Problems;
 use crate::words::excerpt;
 
@@ -52,9 +51,9 @@ impl Read<'_, '_> {
 pub(super) fn read_scene<'v, 'a>(
     root: &'v DeTable<'a>,
     files: &mut Files,
-    counter: &mut Counter,
+    budget: &Budget,
     problems: &mut Problems,
-) -> Result<Read<'v, 'a>, LimitExceeded> {
+) -> Result<Read<'v, 'a>, Halt> {
     let mut fields = Fields::of_file(root, problems);
     fields.only(&[KNOWN]);
     let mut scene = Scene::new(stand_in());
@@ -70,20 +69,19 @@ pub(super) fn read_scene<'v, 'a>(
         }
     }
     if let Some(size) = scene.size {
-        counter.picture(size)?;
+        budget.limits().allow_picture(size)?;
     }
     let mut read = Read { scene, root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
     read_lights(&mut read, problems);
     let names = read_materials(&mut read, files, problems);
-    let meshes = read_meshes(read.root, counter, problems)?;
+    let meshes = read_meshes(read.root, budget, problems)?;
     for value in tables(read.root, "object", problems) {
         if problems.is_full() {
             break;
         }
         let objects = read_object(value, &names, &meshes, files, problems).unwrap_or_default();
-        counter.points(std::mem::take(&mut files.fresh_points))?;
         for object in objects {
-            count(&object.shape, counter)?;
+            spend(&object.shape, budget)?;
             read.scene.objects.push(object);
             read.objects.push(value);
         }
@@ -202,18 +200,22 @@ fn material_named(value: &Value, names: &HashMap<&str, MaterialId>) -> Result<Ma
     })
 }
 
-fn count(shape: &Shape, counter: &mut Counter) -> Result<(), LimitExceeded> {
+/// Spends what a shape costs; its words are spent already.
+fn spend(shape: &Shape, budget: &Budget) -> Result<(), Halt> {
     match shape {
         Shape::Mesh(mesh) => {
-            // The points of a shared mesh were counted where it stands, those of one object's own are counted here.
-            counter.points(if Arc::strong_count(mesh) == 1 { mesh.positions.len() } else { 0 })?;
-            counter.objects(mesh.triangles.len().max(1))
+            // The points of a shared mesh were spent where it stands, those of one object's own are spent here.
+            let points = if Arc::strong_count(mesh) == 1 { mesh.positions.len() } else { 0 };
+            budget.spend(Cost::Point, points as u64)?;
+            budget.spend(Cost::Use, 1)?;
+            budget.spend(Cost::Triangle, mesh.triangles.len() as u64)
         }
         Shape::Polygon { outline, holes } => {
-            counter.points(outline.len() + holes.iter().map(Vec::len).sum::<usize>())?;
-            counter.objects(1)
+            let points = outline.len() + holes.iter().map(Vec::len).sum::<usize>();
+            budget.spend(Cost::Point, points as u64)?;
+            budget.spend(Cost::Shape, 1)
         }
-        _ => counter.objects(1),
+        _ => budget.spend(Cost::Shape, 1),
     }
 }
 

@@ -1,5 +1,8 @@
 //! From nodes to the scene.
 
+use std::hash::{Hash, Hasher};
+use std::marker::PhantomData;
+use std::ptr;
 use std::rc::Rc;
 
 use brt_geometry::{Vec3, vec3};
@@ -7,46 +10,85 @@ use brt_scene::{Camera, Projection};
 
 use super::shape::Shapes;
 use super::syntax::Node;
-use crate::Limits;
-use crate::import::{Affine, Draft, Stop, fault};
-
-/// Nodes that are visited at most: a node may be used many times.
-const MOST_VISITS: u32 = 1_000_000;
+use crate::budget::Cost;
+use crate::import::{Affine, Draft, Graph, Instances, Stop, fault};
 
 /// Adds what the nodes show.
 pub(super) fn build(nodes: &[Rc<Node>], draft: &mut Draft) -> Result<(), Stop> {
-    let mut walk = Walk { shapes: Shapes::default(), visits: 0 };
-    nodes.iter().try_for_each(|node| walk.node(node, &Affine::IDENTITY, 0, draft))
+    let instances =
+        Instances::count(&Nodes(PhantomData), nodes.iter().map(|node| ByPlace(node)), draft.budget)?;
+    let mut walk = Walk { shapes: Shapes::default(), instances };
+    nodes.iter().try_for_each(|node| walk.node(node, &Affine::IDENTITY, draft))
 }
 
-#[derive(Default)]
-struct Walk {
+/// The nodes right below that are shown, if it is a node that groups others.
+fn group(node: &Node) -> Option<&[Rc<Node>]> {
+    match node.kind.as_str() {
+        "Transform" | "Group" | "Anchor" | "Collision" | "Billboard" => Some(node.nodes("children")),
+        "Switch" => {
+            let choice = node.number("whichChoice", -1.0);
+            let chosen = if choice >= 0.0 { node.nodes("choice").get(choice as usize) } else { None };
+            Some(chosen.map_or(&[], std::slice::from_ref))
+        }
+        "LOD" => Some(node.nodes("level").get(..1).unwrap_or_default()),
+        _ => None,
+    }
+}
+
+/// A node that is told from others by where it lies in memory: equal ones may stand in several places of a file.
+#[derive(Clone, Copy)]
+struct ByPlace<'n>(&'n Node);
+
+impl PartialEq for ByPlace<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        ptr::eq(self.0, other.0)
+    }
+}
+
+impl Eq for ByPlace<'_> {}
+
+impl Hash for ByPlace<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        ptr::hash(self.0, state);
+    }
+}
+
+/// What is counted before it is walked through.
+struct Nodes<'n>(PhantomData<&'n Node>);
+
+impl<'n> Graph for Nodes<'n> {
+    type Node = ByPlace<'n>;
+
+    fn shown(&self, node: ByPlace<'n>) -> Result<Option<u64>, Stop> {
+        let is_group = group(node.0).is_some();
+        let bytes = if node.0.kind == "Shape" { Shapes::bytes(node.0) } else { 0 };
+        Ok((!is_group).then_some(bytes.saturating_add(Cost::Use.bytes())))
+    }
+
+    fn below(&self, node: ByPlace<'n>) -> Vec<ByPlace<'n>> {
+        group(node.0).unwrap_or_default().iter().map(|node| ByPlace(node)).collect()
+    }
+
+    fn fault(&self, node: ByPlace<'n>, what: &str) -> Stop {
+        fault(format!("`{}` {what}", node.0.kind), Some(node.0.span.clone()))
+    }
+}
+
+struct Walk<'n> {
     shapes: Shapes,
-    visits: u32,
+    instances: Instances<ByPlace<'n>>,
 }
 
-impl Walk {
-    fn node(&mut self, node: &Node, outer: &Affine, depth: usize, draft: &mut Draft) -> Result<(), Stop> {
-        self.visits += 1;
-        if depth > Limits::NESTING || self.visits > MOST_VISITS {
-            return Err(fault("groups nest too deep or are used too often", Some(node.span.clone())));
+impl<'n> Walk<'n> {
+    fn node(&mut self, node: &'n Node, outer: &Affine, draft: &mut Draft) -> Result<(), Stop> {
+        if !self.instances.shows(ByPlace(node)) {
+            return Ok(());
+        }
+        if let Some(children) = group(node) {
+            let inner = if node.kind == "Transform" { outer.after(&transform(node)) } else { *outer };
+            return children.iter().try_for_each(|child| self.node(child, &inner, draft));
         }
         match node.kind.as_str() {
-            "Transform" => {
-                let inner = outer.after(&transform(node));
-                self.children(node.nodes("children"), &inner, depth, draft)
-            }
-            "Group" | "Anchor" | "Collision" | "Billboard" => {
-                self.children(node.nodes("children"), outer, depth, draft)
-            }
-            "Switch" => {
-                let choice = node.number("whichChoice", -1.0);
-                let chosen = if choice >= 0.0 { node.nodes("choice").get(choice as usize) } else { None };
-                chosen.map_or(Ok(()), |child| self.node(child, outer, depth + 1, draft))
-            }
-            "LOD" => {
-                node.nodes("level").first().map_or(Ok(()), |child| self.node(child, outer, depth + 1, draft))
-            }
             "Shape" => self.shapes.add(node, outer, draft),
             "Viewpoint" => {
                 viewpoint(node, outer, draft);
@@ -59,16 +101,6 @@ impl Walk {
                 Ok(())
             }
         }
-    }
-
-    fn children(
-        &mut self,
-        nodes: &[Rc<Node>],
-        place: &Affine,
-        depth: usize,
-        draft: &mut Draft,
-    ) -> Result<(), Stop> {
-        nodes.iter().try_for_each(|child| self.node(child, place, depth + 1, draft))
     }
 }
 

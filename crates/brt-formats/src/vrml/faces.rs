@@ -14,7 +14,6 @@ pub(super) fn add(node: &Node, place: &Affine, material: MaterialId, draft: &mut
     let points: Vec<Vec3> = of("coord", "point").into_iter().map(Vec3::from).collect();
     let colors: Vec<Rgb> = of("color", "color").into_iter().map(srgb).collect();
     let normals: Vec<Vec3> = of("normal", "vector").into_iter().map(Vec3::from).collect();
-    draft.expect(points.len(), 0)?;
 
     let colors = Attribute::new(node, "color", colors);
     // Normals per face are those that faces have anyway.
@@ -91,7 +90,7 @@ impl Faces<'_> {
             points.push(p);
         }
         let cut = fan_or_cut(&points);
-        draft.expect(0, cut.len())?;
+        draft.expect(corners.len(), cut.len())?;
         let first = self.geometry.positions.len() as u32;
         for (k, (&index, p)) in corners.iter().zip(points).enumerate() {
             self.geometry.positions.push(p);

@@ -11,16 +11,17 @@ mod syntax;
 
 use brt_scene::framing::Up;
 
+use crate::ParseError;
+use crate::budget::Budget;
 use crate::import::Draft;
 use crate::load::Imported;
-use crate::{Limits, ParseError};
 
 /// Reads a scene.
-pub(crate) fn read(bytes: &[u8], limits: &Limits) -> Result<Imported, ParseError> {
+pub(crate) fn read<'b>(bytes: &'b [u8], budget: &'b Budget<'b>) -> Result<Imported, ParseError> {
     // KiCad's models stand on their boards: z is up there.
     let head = bytes.get(..200).unwrap_or(bytes).to_ascii_lowercase();
     let up = if head.windows(5).any(|word| word == b"kicad") { Up::PlusZ } else { Up::PlusY };
-    let mut draft = Draft::new(limits, up);
+    let mut draft = Draft::new(budget, up);
     let read = syntax::parse(bytes, &mut draft).and_then(|nodes| build::build(&nodes, &mut draft));
     match read {
         Ok(()) => draft.finish(),

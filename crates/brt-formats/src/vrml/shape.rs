@@ -7,6 +7,7 @@ use brt_scene::{Material, MaterialId, Shape};
 
 use super::faces;
 use super::syntax::Node;
+use crate::budget::Cost;
 use crate::import::{Affine, Draft, Geometry, Stop, srgb};
 
 /// Materials that are in the scene already, by the numbers that they were made of.
@@ -17,7 +18,7 @@ impl Shapes {
     /// Adds a shape.
     pub(super) fn add(&mut self, node: &Node, place: &Affine, draft: &mut Draft) -> Result<(), Stop> {
         let Some(geometry) = node.node("geometry") else { return Ok(()) };
-        let material = self.material(node.node("appearance"), draft);
+        let material = self.material(node.node("appearance"), draft)?;
         match geometry.kind.as_str() {
             "IndexedFaceSet" => faces::add(geometry, place, material, draft),
             "Box" => Ok(draft.add_geometry(cuboid(geometry).moved(place), None, material, None)?),
@@ -68,12 +69,26 @@ impl Shapes {
         Ok(draft.add_shape(shape, material, None)?)
     }
 
-    fn material(&mut self, appearance: Option<&Node>, draft: &mut Draft) -> MaterialId {
+    /// What a shape costs wherever it is used, about.
+    pub(super) fn bytes(node: &Node) -> u64 {
+        let Some(geometry) = node.node("geometry") else { return 0 };
+        match geometry.kind.as_str() {
+            // Corners are points of their own.
+            "IndexedFaceSet" => {
+                let corners = geometry.numbers("coordIndex").len() as u64;
+                corners * Cost::Point.bytes() + corners / 4 * Cost::Triangle.bytes()
+            }
+            "Box" => 12 * Cost::Triangle.bytes(),
+            _ => Cost::Shape.bytes(),
+        }
+    }
+
+    fn material(&mut self, appearance: Option<&Node>, draft: &mut Draft) -> Result<MaterialId, Stop> {
         if let Some(texture) = appearance.and_then(|a| a.node("texture")) {
             draft.notices.note("textures ignored", texture.span.clone());
         }
         let Some(node) = appearance.and_then(|a| a.node("material")) else {
-            return draft.plain();
+            return Ok(draft.plain());
         };
         let color = |name: &str, default: f64| node.three(name).unwrap_or([default; 3]);
         let (diffuse, specular, emissive) =
@@ -83,22 +98,25 @@ impl Shapes {
         let mut key: Vec<u64> =
             [diffuse, specular, emissive].concat().into_iter().map(f64::to_bits).collect();
         key.extend([shine.to_bits(), transparency.to_bits()]);
-        *self.0.entry(key).or_insert_with(|| {
-            let mut ours = Material::matte("material", srgb(diffuse));
-            ours.specular = 0.5 * specular.iter().sum::<f64>().clamp(0.0, 3.0) / 3.0;
-            ours.exponent = (128.0 * shine).max(1.0);
-            // What shines by itself alone is drawn so; elsewhere exporters write it beside the colour.
-            if diffuse == [0.0; 3] && emissive != [0.0; 3] {
-                (ours.color, ours.ambient, ours.diffuse) = (srgb(emissive), 1.0, 0.0);
-            }
-            if transparency > 0.0 {
-                ours.transmission = transparency;
-                ours.diffuse *= 1.0 - transparency;
-                ours.ambient *= 1.0 - transparency;
-                ours.casts_shadow = transparency < 0.5;
-            }
-            draft.scene.add_material(ours)
-        })
+        if let Some(&known) = self.0.get(&key) {
+            return Ok(known);
+        }
+        let mut ours = Material::matte("material", srgb(diffuse));
+        ours.specular = 0.5 * specular.iter().sum::<f64>().clamp(0.0, 3.0) / 3.0;
+        ours.exponent = (128.0 * shine).max(1.0);
+        // What shines by itself alone is drawn so; elsewhere exporters write it beside the colour.
+        if diffuse == [0.0; 3] && emissive != [0.0; 3] {
+            (ours.color, ours.ambient, ours.diffuse) = (srgb(emissive), 1.0, 0.0);
+        }
+        if transparency > 0.0 {
+            ours.transmission = transparency;
+            ours.diffuse *= 1.0 - transparency;
+            ours.ambient *= 1.0 - transparency;
+            ours.casts_shadow = transparency < 0.5;
+        }
+        let id = draft.add_material(ours)?;
+        self.0.insert(key, id);
+        Ok(id)
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 use crate::Limits;
+use crate::budget::{Budget, Cost};
 use crate::import::{Draft, Stop, fault};
 
 /// A node: its type, and what its fields hold.
@@ -72,8 +73,8 @@ impl Node {
 }
 
 /// Reads all nodes of a file.
-pub(super) fn parse(bytes: &[u8], draft: &mut Draft) -> Result<Vec<Rc<Node>>, Stop> {
-    let mut parser = Parser { bytes, at: 0, names: HashMap::new() };
+pub(super) fn parse<'b>(bytes: &'b [u8], draft: &mut Draft<'b>) -> Result<Vec<Rc<Node>>, Stop> {
+    let mut parser = Parser { bytes, at: 0, names: HashMap::new(), budget: draft.budget };
     if bytes.starts_with(b"#VRML V1.0") {
         return Err(fault("VRML 1.0 is not read: export VRML97 (2.0)", Some(0..10)));
     }
@@ -94,6 +95,7 @@ struct Parser<'b> {
     bytes: &'b [u8],
     at: usize,
     names: HashMap<&'b [u8], Rc<Node>>,
+    budget: &'b Budget<'b>,
 }
 
 impl<'b> Parser<'b> {
@@ -167,6 +169,7 @@ impl<'b> Parser<'b> {
             let message = format!("found `{}`, expected `{{` after `{}`", shown(open), shown(kind));
             return Err(fault(message, Some(place)));
         }
+        self.budget.spend(Cost::Node, 1)?;
         let mut node = Node { kind: String::from_utf8_lossy(kind).into_owned(), span, ..Node::default() };
         loop {
             let (name, place) = self.expect()?;
@@ -178,6 +181,7 @@ impl<'b> Parser<'b> {
                 }
                 b"ROUTE" => self.skip_declaration(name),
                 _ => {
+                    self.budget.spend(Cost::Word, 1)?;
                     let value = self.value(depth)?;
                     node.set(String::from_utf8_lossy(name).into_owned(), value);
                 }
@@ -192,6 +196,7 @@ impl<'b> Parser<'b> {
             Some(b'0'..=b'9' | b'-' | b'+' | b'.') => {
                 let mut numbers = Vec::new();
                 while let Some(number) = self.number() {
+                    self.budget.spend(Cost::Number, 1)?;
                     numbers.push(number);
                 }
                 if numbers.is_empty() {
@@ -213,6 +218,7 @@ impl<'b> Parser<'b> {
         let (mut numbers, mut nodes) = (Vec::new(), Vec::new());
         loop {
             while let Some(number) = self.number() {
+                self.budget.spend(Cost::Number, 1)?;
                 numbers.push(number);
             }
             let Some((word, _)) = self.peek() else {

@@ -2,13 +2,15 @@
 
 use brt_image::rgb;
 
-use super::{Up, support};
+use super::Up;
+use super::support::Reach;
 use crate::{Material, Object, Scene, Shape};
 
 /// Puts an endless matte floor under everything that has bounds.
 pub fn add_floor(scene: &mut Scene, up: Up) {
     let normal = up.direction();
-    let distance = -support(scene, -normal).unwrap_or(0.0);
+    let reach = Reach::of(scene);
+    let distance = reach.origin.dot(normal) - reach.along(-normal).unwrap_or(0.0);
     let mut material = Material::matte("floor", rgb(0.9, 0.9, 0.9));
     material.ambient = 0.25;
     material.diffuse = 0.7;

@@ -11,7 +11,6 @@ mod view;
 pub use camera::framed_camera;
 pub use floor::add_floor;
 pub use lights::studio_lights;
-pub use support::support;
 pub use view::{Up, View};
 
 /// How a scene is put into the picture.

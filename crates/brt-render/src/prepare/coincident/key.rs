@@ -27,7 +27,6 @@ struct View {
 }
 
 /// The keys of all primitives.
-#[expect(clippy::approx_constant, reason = "any direction will do that is nothing special")]
 pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb) -> Vec<Key> {
     let size = bounds.longest_side().max(f64::MIN_POSITIVE);
     let view =
