@@ -146,7 +146,7 @@ impl<'a> DepthBuffer<'a> {
                 let i = (x - self.area.x0) as usize;
                 if inside[i] > 0.0 {
                     self.keep_nearer(x, y, id, depth[i]);
-                } else if outside[i] >= 0.0 {
+                } else if outside[i] >= 0.0 && !self.is_hidden(x, y, id) {
                     let sample = self.sample(x, y);
                     (sample.is_doubtful, sample.is_on_edge) = (true, true);
                 }
@@ -201,9 +201,15 @@ impl<'a> DepthBuffer<'a> {
         let difference = inverse_depth - sample.inverse_depth;
         if difference > margin {
             (sample.nearest, sample.inverse_depth) = (id, inverse_depth);
-        } else {
-            sample.is_doubtful |= difference >= -margin || difference.is_nan();
+        } else if (difference >= -margin || difference.is_nan()) && !self.is_hidden(x, y, id) {
+            self.sample(x, y).is_doubtful = true;
         }
+    }
+
+    /// Does a sample certainly show a face that comes before this one in the same plane?
+    fn is_hidden(&mut self, x: u32, y: u32, id: u32) -> bool {
+        let nearest = self.sample(x, y).nearest;
+        self.scene.hides_coincident(nearest, id)
     }
 
     #[inline(always)]
