@@ -49,7 +49,7 @@ pub(crate) fn run(context: &Context) -> Result<Outcome, Failure> {
     match cli.command {
         Command::Render(options) => render::run(&options, context),
         Command::Compare(options) => compare::run(&options, context),
-        Command::Inspect(options) => inspect::run(&options),
+        Command::Inspect(options) => inspect::run(&options, context),
         Command::Convert(options) => convert::run(&options, context),
         Command::Scene(options) => scene::run(&options, context),
         Command::Formats => formats::run(),

@@ -9,6 +9,7 @@ use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, imp
 use clap::Args;
 
 use crate::exit::{Failure, wrong_use};
+use crate::interrupt::Interrupt;
 use crate::{diagnostics, output, values};
 
 /// Options for how a scene file is read.
@@ -44,7 +45,7 @@ pub(crate) struct LimitOptions {
 
 impl LimitOptions {
     /// The limits of the library.
-    pub(crate) fn limits(self, max_pixels: u64) -> Limits<'static> {
+    pub(crate) fn limits(self, max_pixels: u64, interrupt: &Interrupt) -> Limits<'_> {
         let Self { max_memory, allow_expansion, allow_outside } = self;
         let defaults = Limits::default();
         Limits {
@@ -52,8 +53,7 @@ impl LimitOptions {
             any_expansion: allow_expansion,
             max_picture_pixels: max_pixels,
             files_outside: allow_outside,
-            // Nothing is begun while a scene is read: a signal ends the process at once.
-            cancel: None,
+            cancel: Some(interrupt.flag()),
         }
     }
 }
@@ -84,8 +84,13 @@ pub(crate) fn is_dash(path: &Path) -> bool {
 }
 
 /// Reads a scene from a file or from standard input. Errors in it are drawn; with `--strict`, warnings are errors.
-pub(crate) fn read(path: &Path, options: &InputOptions, max_pixels: u64) -> Result<SceneInput, Failure> {
-    let limits = options.limits.limits(max_pixels);
+pub(crate) fn read(
+    path: &Path,
+    options: &InputOptions,
+    max_pixels: u64,
+    interrupt: &Interrupt,
+) -> Result<SceneInput, Failure> {
+    let limits = options.limits.limits(max_pixels, interrupt);
     let format = options.input_format;
     let input = if is_dash(path) { read_stdin(format, &limits) } else { read_file(path, format, &limits) }?;
     if options.strict && !input.report.diagnostics.is_empty() {

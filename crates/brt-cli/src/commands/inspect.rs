@@ -7,6 +7,7 @@ use brt::{Camera, Diagnostic, Light, Projection, Scene, Vec3, prepare};
 use clap::Args;
 use serde::Serialize;
 
+use crate::context::Context;
 use crate::exit::{Failure, Outcome};
 use crate::scene_input::{self, InputOptions};
 use crate::{json, output};
@@ -68,8 +69,8 @@ enum ProjectionJson {
 }
 
 /// Shows what is in a scene.
-pub(crate) fn run(options: &Options) -> Result<Outcome, Failure> {
-    let input = scene_input::read(&options.scene, &options.reading, u64::MAX)?;
+pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
+    let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
     let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
     if options.json {
         output::line(&json::text(&inspection)?)?;

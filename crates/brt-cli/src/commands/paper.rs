@@ -40,7 +40,7 @@ pub(crate) struct Options {
 
 /// Measures, and writes the page.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
-    let scene = options.scene.as_deref().map(|path| own_scene(options, path)).transpose()?;
+    let scene = options.scene.as_deref().map(|path| own_scene(options, path, context)).transpose()?;
     let sizes: &[u32] = if options.quick { &paper::Options::QUICK_SIZES } else { &paper::Options::SIZES };
     let repeat = if options.quick { 1 } else { paper::Options::REPEAT };
     let experiments = paper::Options {
@@ -67,8 +67,8 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     Ok(Outcome::Done)
 }
 
-fn own_scene(options: &Options, path: &Path) -> Result<(String, brt::Scene), Failure> {
-    let input = scene_input::read(path, &options.reading, MAX_PIXELS)?;
+fn own_scene(options: &Options, path: &Path, context: &Context) -> Result<(String, brt::Scene), Failure> {
+    let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
     input.show_warnings();
     let name =
         path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());

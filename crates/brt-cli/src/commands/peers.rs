@@ -52,7 +52,7 @@ pub(crate) struct Options {
 /// Measures, and writes the page.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let measured = peers::Options {
-        scenes: scenes(options)?,
+        scenes: scenes(options, context)?,
         sizes: options.sizes.clone(),
         repeat: options.repeat,
         timeout: Duration::from_secs(options.timeout),
@@ -77,7 +77,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 /// Files first: a name of ours may be that of a file, too.
-fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
+fn scenes(options: &Options, context: &Context) -> Result<Vec<(String, Scene)>, Failure> {
     let mut scenes: Vec<(String, Scene)> = Vec::new();
     for path in &options.scenes {
         let named = path.to_str().and_then(library::find).filter(|_| !path.exists());
@@ -85,7 +85,7 @@ fn scenes(options: &Options) -> Result<Vec<(String, Scene)>, Failure> {
             Some(named) => named.build(None)?,
             None => {
                 check_spared(options, path)?;
-                let input = scene_input::read(path, &options.reading, MAX_PIXELS)?;
+                let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
                 input.show_warnings();
                 input.scene
             }
