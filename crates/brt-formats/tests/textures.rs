@@ -175,7 +175,7 @@ fn gltf_nodes_share_their_mesh() {
     assert!(meshes.iter().all(|mesh| Arc::ptr_eq(mesh, &meshes[0])));
     let bounds = imported.scene.bounds().unwrap();
     assert_eq!((bounds[0].x, bounds[1].x), (-2.0, 7.0));
-    let limits = Limits { memory: 30_000, ..Limits::default() };
+    let limits = Limits { memory: 2_000, ..Limits::default() };
     assert!(import(Format::Gltf, file.as_bytes(), None, &limits).is_err());
 }
 
