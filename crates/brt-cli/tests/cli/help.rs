@@ -15,7 +15,7 @@ fn lists(help: &str, words: &str) -> bool {
     help.lines().any(|line| {
         let line = line.trim_start();
         let rest = line.strip_prefix("- ").unwrap_or(line).strip_prefix(words);
-        rest.is_some_and(|rest| rest.chars().next().is_none_or(|next| " :.".contains(next)))
+        rest.is_some_and(|rest| rest.chars().next().is_none_or(|next| " :.[".contains(next)))
     })
 }
 
