@@ -175,8 +175,13 @@ fn gltf_nodes_share_their_mesh() {
     assert!(meshes.iter().all(|mesh| Arc::ptr_eq(mesh, &meshes[0])));
     let bounds = imported.scene.bounds().unwrap();
     assert_eq!((bounds[0].x, bounds[1].x), (-2.0, 7.0));
-    let limits = Limits { memory: 2_000, ..Limits::default() };
-    assert!(import(Format::Gltf, file.as_bytes(), None, &limits).is_err());
+    // What just suffices for one of them does not for three.
+    let once = file.replace("[0, 1, 2]", "[0]");
+    let limits = |memory: u64| Limits { memory, ..Limits::default() };
+    let suffices = |memory: &u64| import(Format::Gltf, once.as_bytes(), None, &limits(*memory)).is_ok();
+    let memory = (0..1 << 20).step_by(64).find(suffices).unwrap();
+    let error = import(Format::Gltf, file.as_bytes(), None, &limits(memory)).unwrap_err().to_string();
+    assert!(error.starts_with("with 3 instances it needs"), "{error}");
 }
 
 const OBJ: &str = "mtllib sub/a.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1 0\nvt 0.5 0.5\n\

@@ -45,7 +45,10 @@ impl<N: Copy + Eq + Hash> Instances<N> {
         for root in roots {
             all.add(known.total(graph, root, 0)?);
         }
-        budget.has(all.bytes, || format!("{} instances", counted(all.uses)))?;
+        budget.has(all.bytes, || match all.uses {
+            1 => "1 instance".to_owned(),
+            uses => format!("{} instances", counted(uses)),
+        })?;
         Ok(known)
     }
 
