@@ -70,15 +70,14 @@ impl Starts {
         scene: &PreparedScene,
         id: u32,
     ) -> Hit<Lanes> {
-        let primitive = &scene.primitives[id as usize];
-        match self.sole {
-            Some(from) => primitive.first_hit(ray, scene.start(id, from)),
-            None => {
-                let hit = primitive.first_hit(ray, Start::Elsewhere);
-                let carrier = Lanes::constant(scene.carrier(id).as_number());
-                let leaves: LaneMask = self.each[packet].equals(carrier);
-                Hit { found: hit.found & !leaves, t: hit.t }
-            }
+        // One call for both, since all of a primitive's formula is inlined here.
+        let start = self.sole.map_or(Start::Elsewhere, |from| scene.start(id, from));
+        let hit = scene.primitives[id as usize].first_hit(ray, start);
+        if self.sole.is_some() {
+            return hit;
         }
+        let carrier = Lanes::constant(scene.carrier(id).as_number());
+        let leaves: LaneMask = self.each[packet].equals(carrier);
+        Hit { found: hit.found & !leaves, t: hit.t }
     }
 }
