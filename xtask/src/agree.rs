@@ -2,12 +2,12 @@
 
 use anyhow::{Result, ensure};
 use brt_render::{
-    Accelerator, BorderSettings, Layer, LayerRows, Method, PreparedCamera, SampleGrid, Samples, Settings,
-    prepare,
+    Accelerator, BorderSettings, Layer, LayerRows, Method, PreparedCamera, Renderer, SampleGrid, Samples,
+    Settings,
 };
 use brt_scene::procedural;
 
-use crate::scenes::{SEED, layer, open, render_whole, square};
+use crate::scenes::{SEED, fit, layer, open, render_whole, square};
 
 pub(crate) fn run(size: u32, names: &[String]) -> Result<()> {
     let all = SEED.into_iter().chain(procedural::ALL.iter().map(|p| p.name)).map(String::from);
@@ -30,7 +30,8 @@ fn count_differences(name: &str, size: u32) -> Result<u64> {
     let surfaces = layer(&rows, 0, |l| if let LayerRows::Surface(v) = l { Some(v) } else { None });
     let depths = layer(&rows, 1, |l| if let LayerRows::Depth(v) = l { Some(v) } else { None });
 
-    let prepared = prepare(&scene, Accelerator::Bvh);
+    let renderer = Renderer::new(fit(&scene)?);
+    let prepared = renderer.prepared(Accelerator::Bvh);
     let grid = SampleGrid::new([size, size], Samples::One);
     let camera = PreparedCamera::new(&scene.camera, prepared.origin(), &grid);
     let differs = |i: &u32| {

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use brt_formats::{Limits, load};
 use brt_image::Transfer;
 use brt_render::{KeptRows, Layer, LayerRows, RayOrder, Rows, Run, Settings, Stats, render};
-use brt_scene::{Scene, procedural};
+use brt_scene::{CheckedScene, Scene, procedural};
 
 /// The seed scenes.
 pub(crate) const SEED: [&str; 3] = ["scenes/seed/a.toml", "scenes/seed/b.toml", "scenes/seed/c.toml"];
@@ -22,8 +22,14 @@ pub(crate) fn open_sized(name: &str, size: Option<u32>) -> Result<Scene> {
         Some(scene) => scene.build(size).with_context(|| format!("cannot build {name}")),
         None => Ok(load(Path::new(name), &Limits::default())
             .with_context(|| format!("cannot read {name}"))?
-            .scene),
+            .scene
+            .into_inner()),
     }
+}
+
+/// The scene, if it can be rendered.
+pub(crate) fn fit(scene: &Scene) -> Result<CheckedScene> {
+    scene.clone().checked().map_err(|problems| anyhow::anyhow!("{}", problems[0]))
 }
 
 /// Renders a scene into memory, joined to whole layers; full ray tracing ray by ray, so that it shares no lookup with what
@@ -39,7 +45,8 @@ pub(crate) fn render_stored(
     transfer: Transfer,
 ) -> Result<(Vec<[f32; 3]>, Vec<Rows>, Stats)> {
     let mut kept = KeptRows::new(transfer);
-    let stats = render(scene, settings, &Run { rays: RayOrder::Single, ..Run::default() }, &mut kept)?;
+    let scene = fit(scene)?;
+    let stats = render(&scene, settings, &Run { rays: RayOrder::Single, ..Run::default() }, &mut kept)?;
     let colors = kept.rows.iter().flat_map(|r| r.colors.iter().copied()).collect();
     Ok((colors, kept.rows, stats))
 }

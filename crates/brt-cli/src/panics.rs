@@ -16,8 +16,7 @@ fn message(info: &PanicHookInfo) -> String {
     let command: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
     format!(
         "error: this is a bug in brt {}, not in your scene: {what}{place}\n\
-         Please report it with the scene file and the command: {}\n\
-         If one pixel is to blame, `--pixel X,Y` makes the report small.",
+         Please report it with the scene file and the command: {}",
         env!("CARGO_PKG_VERSION"),
         command.join(" "),
     )

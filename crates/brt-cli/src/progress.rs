@@ -1,10 +1,15 @@
-//! A progress bar on a terminal.
+//! How far a rendering is: a bar on a terminal, and the place of a panic.
 
-use brt::Progress;
+use brt::{Progress, Window};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::output;
 
 /// Rows that are finished. Disappears when dropped.
 pub(crate) struct Bar(ProgressBar);
+
+/// Hears of panics where no bar is seen.
+pub(crate) struct NoBar;
 
 impl Bar {
     /// A bar of so many rows.
@@ -23,6 +28,23 @@ impl Progress for Bar {
     fn advance(&self, rows: u32) {
         self.0.inc(u64::from(rows));
     }
+
+    fn panicked_in(&self, pixels: Window) {
+        note_panic(pixels);
+    }
+}
+
+impl Progress for NoBar {
+    fn advance(&self, _rows: u32) {}
+
+    fn panicked_in(&self, pixels: Window) {
+        note_panic(pixels);
+    }
+}
+
+fn note_panic(Window { x, y, width, height }: Window) {
+    let place = format!("{width}×{height} pixels from {x},{y} on");
+    output::note(&format!("It happened in the {place}; `--pixel {x},{y}` renders no others."));
 }
 
 impl Drop for Bar {

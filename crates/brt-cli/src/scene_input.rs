@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use brt::formats::ParseError;
 use brt::image::Place;
-use brt::{Format, Given, Imported, Limits, LoadError, Loaded, Report, Scene, import, library, load_as};
+use brt::{
+    CheckedScene, Format, Given, Imported, Limits, LoadError, Loaded, Report, import, library, load_as,
+};
 use clap::Args;
 
 use crate::exit::{Failure, wrong_use};
@@ -60,7 +62,7 @@ impl LimitOptions {
 
 /// A scene, and what its importer had to say.
 pub(crate) struct SceneInput {
-    pub(crate) scene: Scene,
+    pub(crate) scene: CheckedScene,
     pub(crate) report: Report,
     pub(crate) given: Given,
     /// The other files that were read for it.

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use brt_scene::framing::Up;
-use brt_scene::{MaterialId, Report, Scene};
+use brt_scene::{CheckedScene, MaterialId, Report};
 
 use crate::budget::{Budget, Halt};
 use crate::import::Beside;
@@ -15,8 +15,8 @@ use crate::{gltf, nff, obj, off, ply, stl, threemf, toml, vrml};
 /// A scene file that was read.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The scene; its check finds nothing.
-    pub scene: Scene,
+    /// The scene.
+    pub scene: CheckedScene,
     /// Warnings; positions are byte offsets in `text`.
     pub report: Report,
     /// What the file itself says about how it is looked at.
@@ -30,8 +30,8 @@ pub struct Loaded {
 /// A scene that was made of bytes.
 #[derive(Clone, Debug)]
 pub struct Imported {
-    /// The scene; its check finds nothing.
-    pub scene: Scene,
+    /// The scene.
+    pub scene: CheckedScene,
     /// Warnings; positions are offsets in the bytes.
     pub report: Report,
     /// What the file itself says about how it is looked at.
@@ -127,7 +127,7 @@ pub(crate) fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
 ///
 /// # Errors
 /// See [`ParseError`].
-pub fn parse(format: Format, bytes: &[u8], limits: &Limits) -> Result<(Scene, Report), ParseError> {
+pub fn parse(format: Format, bytes: &[u8], limits: &Limits) -> Result<(CheckedScene, Report), ParseError> {
     import(format, bytes, None, limits).map(|Imported { scene, report, .. }| (scene, report))
 }
 
@@ -154,7 +154,7 @@ fn read<'b>(
     beside: &mut Beside<'b>,
     budget: &'b Budget<'b>,
 ) -> Result<Imported, ParseError> {
-    let complete = |(scene, report): (Scene, Report), up| Imported {
+    let complete = |(scene, report): (CheckedScene, Report), up| Imported {
         scene,
         report,
         given: Given::everything(up),

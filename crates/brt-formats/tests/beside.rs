@@ -30,7 +30,7 @@ fn folder() -> (tempfile::TempDir, std::path::PathBuf) {
 fn read(folder: &Path, text: &str) -> Result<Scene, Vec<String>> {
     let text = format!("{CAMERA}{text}");
     match import(Format::Toml, text.as_bytes(), Some(folder), &Limits::default()) {
-        Ok(imported) => Ok(imported.scene),
+        Ok(imported) => Ok(imported.scene.into_inner()),
         Err(ParseError::Malformed(report)) => Err(report
             .diagnostics
             .iter()

@@ -27,7 +27,7 @@ proptest! {
             .map_err(|error| TestCaseError::fail(format!("{error:?}\n{text}")))?;
         // Random objects cannot all show the texture of their material.
         prop_assert!(report.diagnostics.iter().all(|d| d.message.contains("texture not seen")));
-        prop_assert_eq!(&again, &scene);
+        prop_assert_eq!(&*again, &scene);
         prop_assert_eq!(write_toml(&again), text);
     }
 }

@@ -10,7 +10,7 @@ fn seed(name: &str) -> Scene {
     let path = project_file(&format!("scenes/seed/{name}.toml"));
     let loaded = load(&path, &Limits::default()).unwrap_or_else(|error| panic!("{error}"));
     assert!(loaded.report.diagnostics.is_empty());
-    loaded.scene
+    loaded.scene.into_inner()
 }
 
 fn mirrors(scene: &Scene, kind: &str) -> usize {

@@ -1,22 +1,26 @@
 //! Rendering: from a scene to rows of a picture.
 //!
-//! [`render()`] reads like the paper's summary: a perspective image is made without rays, it chooses the samples that
+//! [`Renderer`] reads like the paper's summary: a perspective image is made without rays, it chooses the samples that
 //! are traced, and the others are filled. This crate does no input or output and prints nothing. The same settings
 //! give the same bytes for every number of threads and every order of tiles.
 
+mod error;
 mod filling;
+mod job;
 mod methods;
 mod perspective;
 mod picture;
 mod prepare;
 mod products;
 mod queue;
-mod render;
+mod render_tile;
+mod renderer;
 mod run;
 mod schedule;
 mod settings;
 mod tracing;
 
+pub use error::RenderError;
 pub use methods::{
     BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings,
     PixelSelectedSettings, Regions, VarianceDelta,
@@ -25,9 +29,9 @@ pub use picture::{Filter, KeptRows, Layer, LayerPainter, LayerRows, Rows, Sink, 
 pub use prepare::{PreparedCamera, prepare};
 pub use products::{
     BlockCounts, Certificate, CertificateCounts, PixelCounts, PreparedScene, RayCounts, RayHistory,
-    SampleGrid, SampleState, Seconds, Stats, Surface, Tries,
+    SampleGrid, SampleState, Seconds, Stats, Surface, Tries, Window,
 };
-pub use render::{RenderError, render};
-pub use run::{Progress, RayOrder, Run, TileOrder};
+pub use renderer::{Renderer, render};
+pub use run::{Progress, RayOrder, Run, TileOrder, thread_pool};
 pub use settings::{Accelerator, Backdrop, CheckedPixels, HistoryKind, Method, Samples, Settings};
 pub use tracing::FirstSeen;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::iter::Enumerate;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::render::RenderError;
+use crate::error::RenderError;
 
 /// Parts of a work: which is next, which are done, and what takes them one after the other.
 pub(crate) struct Queue<G: Iterator, D, T> {

@@ -2,13 +2,17 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::products::Window;
 use brt_geometry::SimdLevel;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 /// How the work is done.
 #[derive(Clone, Copy, Default)]
 pub struct Run<'a> {
     /// Number of threads; 0 for one per processor.
     pub threads: usize,
+    /// Threads that are there already, whose number counts then. [`thread_pool`] starts some that fit.
+    pub pool: Option<&'a ThreadPool>,
     /// Hears how much is done.
     pub progress: Option<&'a (dyn Progress + 'a)>,
     /// Stops the work when set.
@@ -19,6 +23,17 @@ pub struct Run<'a> {
     pub rays: RayOrder,
     /// Vector instructions to use; where the machine lacks them, the next lower ones.
     pub simd: SimdLevel,
+}
+
+/// Bytes of a thread's stack: a thousand bounces nest, and each takes about 2 KiB.
+const STACK: usize = 16 << 20;
+
+/// Threads with the stacks that deep ray trees need; 0: one per processor.
+///
+/// # Errors
+/// If the machine has no more threads to give.
+pub fn thread_pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
+    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build()
 }
 
 /// How full ray tracing follows rays, unless ray histories are wanted as a layer, which need single ones.
@@ -43,8 +58,11 @@ pub enum TileOrder {
 
 /// Hears how much is done.
 pub trait Progress: Sync {
-    /// `rows` more rows of the picture are finished.
+    /// `rows` more rows of the window are finished.
     fn advance(&self, rows: u32);
+
+    /// A thread panics while it renders these pixels of the picture. Rendering one of them alone should panic, too.
+    fn panicked_in(&self, _pixels: Window) {}
 }
 
 /// Asked in every loop that may take long: has the caller set his flag? What a cancelled loop leaves is never shown.

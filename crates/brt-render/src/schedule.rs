@@ -1,18 +1,20 @@
 //! Tiles over threads: groups of bands, so that memory stays proportional to the picture's width.
 
-use std::ops::Range;
+use std::ops::{Deref, Range};
 use std::sync::Mutex;
 
 use rayon::prelude::*;
-use rayon::{ScopeFifo, ThreadPool, ThreadPoolBuilder};
+use rayon::{ScopeFifo, ThreadPool};
 
+use crate::error::RenderError;
+use crate::job::Job;
 use crate::methods::TileWorker;
 use crate::perspective::{BandOutlines, Painter};
 use crate::picture::TilePicture;
-use crate::products::{Counters, SampleGrid, Tile};
+use crate::products::{Counters, SampleGrid, Tile, Window};
 use crate::queue::Queue;
-use crate::render::{Job, RenderError, render_tile};
-use crate::run::Run;
+use crate::render_tile::render_tile;
+use crate::run::{Run, thread_pool};
 
 /// Bands are rendered together until there are this many tiles for each thread.
 const TILES_PER_THREAD: u32 = 8;
@@ -21,14 +23,28 @@ const TILES_PER_THREAD: u32 = 8;
 /// another.
 const GROUPS: usize = 2;
 
-/// Bytes of a thread's stack: a thousand bounces nest, and each takes about 2 KiB.
-const STACK: usize = 16 << 20;
+/// Threads to work on.
+enum Pool<'a> {
+    Own(ThreadPool),
+    Lent(&'a ThreadPool),
+}
+
+impl Deref for Pool<'_> {
+    type Target = ThreadPool;
+
+    fn deref(&self) -> &ThreadPool {
+        match self {
+            Self::Own(pool) => pool,
+            Self::Lent(pool) => pool,
+        }
+    }
+}
 
 /// Renders the tiles of a picture on a pool of threads.
 pub(crate) struct Schedule<'a> {
     job: &'a Job<'a>,
     run: &'a Run<'a>,
-    pool: ThreadPool,
+    pool: Pool<'a>,
     /// Workers that no thread uses at the moment, kept for their buffers.
     idle: Mutex<Vec<(TileWorker<'a>, Painter<'a>)>>,
     /// Rows of bands that were taken, kept for their memory: fresh pages cost more than filling them.
@@ -53,7 +69,10 @@ struct TileTask<'r> {
 
 impl<'a> Schedule<'a> {
     pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>) -> Result<Self, RenderError> {
-        let pool = ThreadPoolBuilder::new().num_threads(run.threads).stack_size(STACK).build()?;
+        let pool = match run.pool {
+            Some(pool) => Pool::Lent(pool),
+            None => Pool::Own(thread_pool(run.threads)?),
+        };
         Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()), spare_rows: Mutex::new(Vec::new()) })
     }
 
@@ -176,12 +195,29 @@ impl<'a> Schedule<'a> {
             (TileWorker::new(self.job, self.run), painter)
         });
         let mine = outlines.map_or(&[][..], |o| o.tile(column));
+        let _witness = PanicWitness { run: self.run, pixels: tile.pixels(self.job.grid) };
         let picture = render_tile(self.job, &mut worker, &mut painter, tile, mine, rows);
         let counted = worker.tracer.take_counters();
         if let Ok(mut idle) = self.idle.lock() {
             idle.push((worker, painter));
         }
         picture.map(|picture| (picture, counted))
+    }
+}
+
+/// Says which pixels were rendered when a thread panicked.
+struct PanicWitness<'a> {
+    run: &'a Run<'a>,
+    pixels: Window,
+}
+
+impl Drop for PanicWitness<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking()
+            && let Some(progress) = self.run.progress
+        {
+            progress.panicked_in(self.pixels);
+        }
     }
 }
 
@@ -198,4 +234,39 @@ fn tile_tasks<'r>(bands: &'r mut [Vec<[f32; 3]>], grid: &SampleGrid) -> Vec<Tile
         }
     }
     tasks
+}
+
+#[cfg(test)]
+mod tests {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::run::Progress;
+
+    #[derive(Default)]
+    struct Heard(Mutex<Vec<Window>>);
+
+    impl Progress for Heard {
+        fn advance(&self, _: u32) {}
+
+        fn panicked_in(&self, pixels: Window) {
+            self.0.lock().unwrap().push(pixels);
+        }
+    }
+
+    #[test]
+    fn a_panic_names_its_pixels_and_nothing_else_does() {
+        let heard = Heard::default();
+        let run = Run { progress: Some(&heard), ..Run::default() };
+        let pixels = Window { x: 1 << 35, y: 64, width: 32, height: 7 };
+        drop(PanicWitness { run: &run, pixels });
+        assert!(heard.0.lock().unwrap().is_empty());
+        let panics = || {
+            let _witness = PanicWitness { run: &run, pixels };
+            panic!("a bug");
+        };
+        assert!(catch_unwind(AssertUnwindSafe(panics)).is_err());
+        assert_eq!(*heard.0.lock().unwrap(), [pixels]);
+    }
 }

@@ -2,15 +2,16 @@
 
 use brt_scene::Scene;
 
+use crate::error::RenderError;
 use crate::methods::{BorderSettings, CertifiedSettings, Judge, PencilSettings, PixelSelectedSettings};
 use crate::picture::{Filter, Layer};
-use crate::products::SampleGrid;
+use crate::products::{SampleGrid, Window};
 
 /// What is rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Width and height of the picture in pixels, each at least 1.
-    pub size: [u32; 2],
+    /// Width and height of the whole picture in pixels, each at least 1; [`Window`]s of it are rendered.
+    pub size: [u64; 2],
     /// Samples per pixel.
     pub samples: Samples,
     /// How samples become pixels.
@@ -37,8 +38,13 @@ impl Accelerator {
 }
 
 impl Settings {
-    /// One sample per pixel by full ray tracing.
+    /// One sample per pixel by full ray tracing, of a picture that can be rendered whole.
     pub fn new(size: [u32; 2]) -> Self {
+        Self::of_virtual(size.map(u64::from))
+    }
+
+    /// The same of a picture of which windows are rendered: up to 2⁴⁰ pixels wide and high.
+    pub fn of_virtual(size: [u64; 2]) -> Self {
         Self {
             size,
             samples: Samples::One,
@@ -54,15 +60,27 @@ impl Settings {
     }
 }
 
-/// Greatest width and height in pixels: sample indices stay far below 2³².
-pub(crate) const GREATEST_SIDE: u32 = 1 << 24;
-
 impl Settings {
+    /// The window that is all of the picture.
+    ///
+    /// # Errors
+    /// If it is too large to be rendered at once.
+    pub fn whole(&self) -> Result<Window, RenderError> {
+        let [width, height] = self.size;
+        Window::whole(self.size).ok_or_else(|| {
+            let side = Window::GREATEST_SIDE;
+            RenderError::Settings(format!(
+                "{width}×{height} pixels at once: each side must be from 1 to {side}"
+            ))
+        })
+    }
+
     /// What is wrong with them, if anything.
     pub(crate) fn check(&self) -> Result<(), String> {
         let [width, height] = self.size;
-        if !(1..=GREATEST_SIDE).contains(&width) || !(1..=GREATEST_SIDE).contains(&height) {
-            return Err(format!("{width}×{height} pixels: each side must be from 1 to {GREATEST_SIDE}"));
+        let sides = 1..=Window::GREATEST_PICTURE_SIDE;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(format!("{width}×{height} pixels: each side must be from 1 to {}", sides.end()));
         }
         if self.max_depth.is_some_and(|depth| depth > Scene::GREATEST_MAX_DEPTH) {
             return Err(format!("a depth of at most {} bounces can be followed", Scene::GREATEST_MAX_DEPTH));

@@ -58,7 +58,7 @@ fn checked(scene: &Scene, certified: Promise, settings: &Settings) -> Result<Ren
     let Some(i) = (0..picture.colors.len()).find(broken) else { return Ok(picture) };
     let width = settings.size[0];
     let difference = Difference {
-        pixel: [i as u32 % width, i as u32 / width],
+        pixel: [i as u64 % width, i as u64 / width].map(|place| place as u32),
         expected: format!("{:?} within {}", picture.full[i], certified.tolerance),
         actual: format!("{:?} {:?}", picture.state[i], picture.colors[i]),
         count: (0..picture.colors.len()).filter(broken).count(),

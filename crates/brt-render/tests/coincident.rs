@@ -3,9 +3,9 @@
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, rgb};
-use brt_render::{Accelerator, CertifiedSettings, Method, Run, Settings, prepare};
+use brt_render::{Accelerator, CertifiedSettings, Method, Renderer, Run, Settings};
 use brt_scene::{Light, Material, MaterialId, Mesh, Scene, Shape};
-use brt_testkit::{looking, render_with_layers};
+use brt_testkit::{checked, looking, render_with_layers};
 
 /// How many pixels differ.
 fn differing(a: &[[f32; 3]], b: &[[f32; 3]]) -> usize {
@@ -75,7 +75,7 @@ fn a_face_given_twice_is_one_face() {
     let faces = faces_of_box(vec3(-1.0, -0.7, -0.6), vec3(1.0, 0.8, 0.9), turned);
     add_faces(&mut scene, &faces, material);
     let once = colors(&scene);
-    let count = |scene: &Scene| prepare(scene, Accelerator::Bvh).primitive_count();
+    let count = |scene: &Scene| Renderer::new(checked(scene)).prepared(Accelerator::Bvh).primitive_count();
     let alone = count(&scene);
     for reversed in [false, true] {
         let mut twice = scene.clone();

@@ -10,13 +10,13 @@ use brt_render::{
     BorderSettings, CertifiedSettings, Layer, LayerPainter, Method, Rows, Run, Settings, render,
 };
 use brt_scene::{Scene, procedural};
-use brt_testkit::{Golden, all_shapes, seed_scene};
+use brt_testkit::{Golden, all_shapes, checked, seed_scene};
 
 /// Holds the layers, in this order, and then the picture against golden images.
 fn check(name: &str, scene: &Scene, settings: &Settings) {
     let golden = Golden::new(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden"));
     let mut rows: Vec<Rows> = Vec::new();
-    render(scene, settings, &Run::default(), &mut rows).unwrap();
+    render(&checked(scene), settings, &Run::default(), &mut rows).unwrap();
     let painter = LayerPainter::new(scene);
     let layers = settings.layers.iter().enumerate().map(|(i, layer)| {
         let colors = rows.iter().flat_map(|rows| painter.colors(&rows.layers[i])).collect();

@@ -8,7 +8,7 @@ use brt_render::{
     Samples, Settings, Sink, SinkError, Stats, TileOrder, render,
 };
 use brt_scene::{Scene, Shape};
-use brt_testkit::{Rendered, all_shapes, first_difference, looking, render_with_layers, seed_scene};
+use brt_testkit::{Rendered, all_shapes, checked, first_difference, looking, render_with_layers, seed_scene};
 
 fn counts(stats: &Stats) -> Stats {
     Stats { seconds: Default::default(), ..*stats }
@@ -87,7 +87,7 @@ fn a_set_cancel_flag_ends_in_cancelled_without_rows() {
     let cancel = AtomicBool::new(true);
     let mut rows: Vec<Rows> = Vec::new();
     let run = Run { cancel: Some(&cancel), ..Run::default() };
-    let result = render(&all_shapes(), &Settings::new([64, 64]), &run, &mut rows);
+    let result = render(&checked(&all_shapes()), &Settings::new([64, 64]), &run, &mut rows);
     assert!(matches!(result, Err(RenderError::Cancelled)), "{result:?}");
     assert!(rows.is_empty());
 }
@@ -118,7 +118,7 @@ impl Sink for OnePortion<'_> {
 #[test]
 fn an_error_of_the_sink_comes_back_and_ends_the_rendering() {
     let mut sink = OnePortion { taken: 0, cancel: None };
-    let result = render(&seed_scene("a"), &Settings::new([16, 4000]), &Run::default(), &mut sink);
+    let result = render(&checked(&seed_scene("a")), &Settings::new([16, 4000]), &Run::default(), &mut sink);
     let Err(RenderError::Sink(error)) = result else { panic!("{result:?}") };
     assert_eq!(error.to_string(), "the disc is full");
     assert!((1..4000).contains(&sink.taken));
@@ -130,7 +130,7 @@ fn a_flag_set_in_the_middle_cancels_between_groups_of_bands() {
     let mut sink = OnePortion { taken: 0, cancel: Some(&cancel) };
     let run = Run { threads: 1, cancel: Some(&cancel), ..Run::default() };
     // With 16 tiles side by side each band is a group.
-    let result = render(&seed_scene("a"), &Settings::new([2000, 128 * 3]), &run, &mut sink);
+    let result = render(&checked(&seed_scene("a")), &Settings::new([2000, 128 * 3]), &run, &mut sink);
     assert!(matches!(result, Err(RenderError::Cancelled)), "{result:?}");
     assert_eq!(sink.taken, 128);
 }
@@ -139,7 +139,7 @@ fn a_flag_set_in_the_middle_cancels_between_groups_of_bands() {
 fn sizes_and_blocks_out_of_range_are_errors_that_name_them() {
     let message = |settings: &Settings| {
         let mut rows: Vec<Rows> = Vec::new();
-        match render(&all_shapes(), settings, &Run::default(), &mut rows) {
+        match render(&checked(&all_shapes()), settings, &Run::default(), &mut rows) {
             Err(RenderError::Settings(message)) => message,
             other => panic!("{other:?}"),
         }

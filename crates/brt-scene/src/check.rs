@@ -1,5 +1,7 @@
 //! Is a scene fit to be rendered? Answers with places, which importers turn into positions in the file.
 
+use std::ops::Deref;
+
 use brt_geometry::{Affine, SMALLEST_LENGTH, Vec3, polygon_plane};
 use thiserror::Error;
 
@@ -41,7 +43,52 @@ pub struct Problem {
     pub expected: &'static str,
 }
 
+/// A scene that is fit to be rendered: only [`Scene::checked`] makes one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CheckedScene(Scene);
+
+impl CheckedScene {
+    /// The scene, to be changed; it must be checked again.
+    pub fn into_inner(self) -> Scene {
+        self.0
+    }
+}
+
+impl Deref for CheckedScene {
+    type Target = Scene;
+
+    fn deref(&self) -> &Scene {
+        &self.0
+    }
+}
+
+impl PartialEq<Scene> for CheckedScene {
+    fn eq(&self, other: &Scene) -> bool {
+        self.0 == *other
+    }
+}
+
+impl Camera {
+    /// What keeps it from taking a picture; nothing: it can.
+    pub fn check(&self) -> Vec<Problem> {
+        let mut problems = Vec::new();
+        check_camera(self, &mut |field, Fault(message, expected)| {
+            problems.push(Problem { place: Place::Camera(field), message, expected });
+        });
+        problems
+    }
+}
+
 impl Scene {
+    /// The scene, if nothing keeps it from being rendered.
+    ///
+    /// # Errors
+    /// All problems, in the order of the scene.
+    pub fn checked(self) -> Result<CheckedScene, Vec<Problem>> {
+        let problems = self.check();
+        if problems.is_empty() { Ok(CheckedScene(self)) } else { Err(problems) }
+    }
+
     /// All problems, in the order of the scene; none: the scene can be rendered.
     pub fn check(&self) -> Vec<Problem> {
         let mut problems = Vec::new();

@@ -16,7 +16,7 @@ mod report;
 mod texture;
 
 pub use camera::{Camera, Projection};
-pub use check::{Place, Problem};
+pub use check::{CheckedScene, Place, Problem};
 pub use light::Light;
 pub use material::{Axis, Checker, Highlight, Material};
 pub use object::{Mesh, Object, Shape};

@@ -99,11 +99,11 @@ impl Golden {
     pub fn check(
         &self,
         name: &str,
-        size: [u32; 2],
+        size: [u64; 2],
         colors: &[[f32; 3]],
         transfer: Transfer,
     ) -> Result<(), GoldenError> {
-        let size = PictureSize::new(size[0], size[1]);
+        let size = PictureSize::new(size[0] as u32, size[1] as u32);
         let golden_path = self.folder.join(format!("{name}.png"));
         let failed_path = self.folder.join(format!("{name}.failed.png"));
         if self.is_updating {

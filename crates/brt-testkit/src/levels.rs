@@ -5,7 +5,7 @@ use brt_image::Transfer;
 use brt_render::{Run, Seconds, Settings, Stats};
 use brt_scene::Scene;
 
-use crate::pictures::{Difference, Rendered, first_difference, render_stored, replay_hint};
+use crate::pictures::{Difference, Rendered, render_stored, replay_hint};
 
 /// Pictures of no more samples are rendered at every level.
 const SMALL: u64 = 1024;
@@ -30,7 +30,7 @@ pub fn render_stored_at_levels(
     transfer: Transfer,
 ) -> Rendered {
     let [width, height] = settings.size;
-    let samples = u64::from(width) * u64::from(height) * u64::from(settings.samples.per_pixel());
+    let samples = width * height * u64::from(settings.samples.per_pixel());
     if samples <= SMALL {
         return render_stored_at_every_level(scene, settings, run, transfer);
     }
@@ -70,22 +70,12 @@ pub fn render_stored_at_every_level(
 
 /// Where two renderings of one picture differ in any of their bits or counts.
 fn any_difference(expected: &Rendered, actual: &Rendered) -> Option<Difference> {
-    let size = expected.size;
     let counts = |picture: &Rendered| Stats { seconds: Seconds::default(), ..picture.stats };
-    first_difference(size, &expected.colors, &actual.colors)
-        .or_else(|| first_difference(size, &expected.alpha, &actual.alpha))
-        .or_else(|| first_difference(size, &expected.full, &actual.full))
-        .or_else(|| first_difference(size, &expected.full_alpha, &actual.full_alpha))
-        .or_else(|| first_difference(size, &expected.surface, &actual.surface))
-        .or_else(|| first_difference(size, &expected.depth, &actual.depth))
-        .or_else(|| first_difference(size, &expected.normal, &actual.normal))
-        .or_else(|| first_difference(size, &expected.history, &actual.history))
-        .or_else(|| first_difference(size, &expected.state, &actual.state))
-        .or_else(|| {
-            let (expected, actual) = (counts(expected), counts(actual));
-            (expected != actual).then(|| {
-                let [expected, actual] = [expected, actual].map(|counts| format!("{counts:?}"));
-                Difference { pixel: [0, 0], expected, actual, count: 0 }
-            })
+    expected.first_difference(actual).or_else(|| {
+        let (expected, actual) = (counts(expected), counts(actual));
+        (expected != actual).then(|| {
+            let [expected, actual] = [expected, actual].map(|counts| format!("{counts:?}"));
+            Difference { pixel: [0, 0], expected, actual, count: 0 }
         })
+    })
 }

@@ -23,8 +23,8 @@ pub use levels::{
 pub use moves::{scaled, shifted, turned};
 pub use named::{all_shapes, looking, seed_scene};
 pub use pictures::{
-    Difference, Rendered, SameBits, first_difference, render_stored, render_to_image, render_with_layers,
-    replay_hint,
+    Difference, Rendered, SameBits, checked, first_difference, render_stored, render_to_image, render_window,
+    render_with_layers, replay_hint,
 };
 pub use promise::{Trial, broken_promise, greatest_error};
 pub use random::Random;

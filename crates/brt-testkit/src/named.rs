@@ -14,7 +14,7 @@ use brt_scene::{Axis, Camera, Checker, Highlight, Light, Material, Mesh, Project
 pub fn seed_scene(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/seed/{name}.toml"));
     match load(&path, &Limits::default()) {
-        Ok(loaded) => loaded.scene,
+        Ok(loaded) => loaded.scene.into_inner(),
         Err(error) => panic!("{error}"),
     }
 }

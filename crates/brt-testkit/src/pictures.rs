@@ -4,8 +4,11 @@ use std::fmt;
 
 use brt_formats::write_toml;
 use brt_image::Transfer;
-use brt_render::{Certificate, KeptRows, LayerRows, RayHistory, Run, SampleState, Settings, Stats, render};
-use brt_scene::Scene;
+use brt_render::{
+    Certificate, KeptRows, LayerRows, RayHistory, Renderer, Rows, Run, SampleState, Settings, Stats, Window,
+    render,
+};
+use brt_scene::{CheckedScene, Scene};
 
 /// A picture with the layers that were asked for; the others are empty.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +39,17 @@ pub struct Rendered {
     pub stats: Stats,
 }
 
+/// The scene, which must be fit to be rendered.
+///
+/// # Panics
+/// If it is not.
+pub fn checked(scene: &Scene) -> CheckedScene {
+    match scene.clone().checked() {
+        Ok(scene) => scene,
+        Err(problems) => panic!("not fit to be rendered: {problems:?}"),
+    }
+}
+
 /// Renders a picture of a scene that is fit to be rendered.
 pub fn render_to_image(scene: &Scene, settings: &Settings, run: &Run) -> (Vec<[f32; 3]>, Stats) {
     let rendered = render_with_layers(scene, settings, run);
@@ -56,27 +70,86 @@ pub fn render_with_layers(scene: &Scene, settings: &Settings, run: &Run) -> Rend
 /// If the renderer fails, or rows come out of order, twice or not at all.
 pub fn render_stored(scene: &Scene, settings: &Settings, run: &Run, transfer: Transfer) -> Rendered {
     let mut kept = KeptRows::new(transfer);
-    let stats = match render(scene, settings, run, &mut kept) {
+    let stats = match render(&checked(scene), settings, run, &mut kept) {
         Ok(stats) => stats,
         Err(error) => panic!("no picture: {error}"),
     };
-    let mut picture = Rendered { size: settings.size, stats, ..Rendered::default() };
-    let mut next = 0;
-    for rows in kept.rows {
-        assert_eq!(rows.first, next, "rows out of order");
-        assert_eq!(rows.width, settings.size[0]);
-        next += rows.count();
-        picture.colors.extend(&rows.colors);
-        picture.alpha.extend(rows.alpha.iter().flatten());
-        picture.full.extend(rows.full.iter().flatten());
-        picture.full_alpha.extend(rows.full_alpha.iter().flatten());
-        rows.layers.iter().for_each(|layer| picture.append(layer));
+    Rendered::of(kept.rows, settings.size.map(|side| side as u32), stats)
+}
+
+/// Renders a window of the picture that the scene's camera takes, with its layers, to be stored as sRGB.
+///
+/// # Panics
+/// See [`render_stored`].
+pub fn render_window(renderer: &Renderer, window: Window, settings: &Settings, run: &Run) -> Rendered {
+    let mut rows: Vec<Rows> = Vec::new();
+    match renderer.render(&renderer.scene().camera, window, settings, run, &mut rows) {
+        Ok(stats) => Rendered::of(rows, [window.width, window.height], stats),
+        Err(error) => panic!("no picture: {error}"),
     }
-    assert_eq!(next, settings.size[1], "rows are missing");
-    picture
 }
 
 impl Rendered {
+    /// Joins rows, which must be all and in order.
+    fn of(kept: Vec<Rows>, size: [u32; 2], stats: Stats) -> Self {
+        let mut picture = Self { size, stats, ..Self::default() };
+        let mut next = 0;
+        for rows in kept {
+            assert_eq!(rows.first, next, "rows out of order");
+            assert_eq!(rows.width, size[0]);
+            next += rows.count();
+            picture.colors.extend(&rows.colors);
+            picture.alpha.extend(rows.alpha.iter().flatten());
+            picture.full.extend(rows.full.iter().flatten());
+            picture.full_alpha.extend(rows.full_alpha.iter().flatten());
+            rows.layers.iter().for_each(|layer| picture.append(layer));
+        }
+        assert_eq!(next, size[1], "rows are missing");
+        picture
+    }
+
+    /// A part of it; counts are those of the whole.
+    #[must_use]
+    pub fn cropped(&self, x: u32, y: u32, [width, height]: [u32; 2]) -> Self {
+        fn part<T: Copy>(values: &[T], rows: &[std::ops::Range<usize>]) -> Vec<T> {
+            if values.is_empty() {
+                return Vec::new();
+            }
+            rows.iter().flat_map(|row| values[row.clone()].iter().copied()).collect()
+        }
+        let row = |row: u32| self.index(x, y + row)..self.index(x, y + row) + width as usize;
+        let rows: Vec<_> = (0..height).map(row).collect();
+        Self {
+            size: [width, height],
+            colors: part(&self.colors, &rows),
+            alpha: part(&self.alpha, &rows),
+            full: part(&self.full, &rows),
+            full_alpha: part(&self.full_alpha, &rows),
+            surface: part(&self.surface, &rows),
+            depth: part(&self.depth, &rows),
+            normal: part(&self.normal, &rows),
+            history: part(&self.history, &rows),
+            state: part(&self.state, &rows),
+            certificates: part(&self.certificates, &rows),
+            stats: self.stats,
+        }
+    }
+
+    /// The first pixel of the picture or of a layer that differs in any bit.
+    pub fn first_difference(&self, actual: &Self) -> Option<Difference> {
+        let size = self.size;
+        first_difference(size, &self.colors, &actual.colors)
+            .or_else(|| first_difference(size, &self.alpha, &actual.alpha))
+            .or_else(|| first_difference(size, &self.full, &actual.full))
+            .or_else(|| first_difference(size, &self.full_alpha, &actual.full_alpha))
+            .or_else(|| first_difference(size, &self.surface, &actual.surface))
+            .or_else(|| first_difference(size, &self.depth, &actual.depth))
+            .or_else(|| first_difference(size, &self.normal, &actual.normal))
+            .or_else(|| first_difference(size, &self.history, &actual.history))
+            .or_else(|| first_difference(size, &self.state, &actual.state))
+            .or_else(|| first_difference(size, &self.certificates, &actual.certificates))
+    }
+
     fn append(&mut self, layer: &LayerRows) {
         match layer {
             LayerRows::Surface(rows) => self.surface.extend(rows),
@@ -144,6 +217,12 @@ impl SameBits for RayHistory {
     }
 }
 
+impl SameBits for Option<Certificate> {
+    fn same_bits(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
 impl SameBits for SampleState {
     fn same_bits(&self, other: &Self) -> bool {
         self == other
@@ -154,12 +233,17 @@ impl SameBits for SampleState {
 ///
 /// # Panics
 /// If they are not of one size.
-pub fn first_difference<T: SameBits>(size: [u32; 2], expected: &[T], actual: &[T]) -> Option<Difference> {
+pub fn first_difference<T: SameBits>(
+    size: [impl Into<u64>; 2],
+    expected: &[T],
+    actual: &[T],
+) -> Option<Difference> {
+    let [width, _] = size.map(Into::into);
     assert_eq!(expected.len(), actual.len(), "pictures of two sizes");
     let mut differing = (0..expected.len()).filter(|&i| !expected[i].same_bits(&actual[i]));
     let first = differing.next()?;
     Some(Difference {
-        pixel: [first as u32 % size[0], first as u32 / size[0]],
+        pixel: [first as u64 % width, first as u64 / width].map(|place| place as u32),
         expected: format!("{:?}", expected[first]),
         actual: format!("{:?}", actual[first]),
         count: 1 + differing.count(),
@@ -188,11 +272,11 @@ mod tests {
     fn the_first_difference_is_found_with_its_pixel_and_number() {
         let a = [[0.0_f32; 3], [f32::NAN; 3], [1.0; 3], [2.0; 3]];
         let mut b = a;
-        assert_eq!(first_difference([2, 2], &a, &b), None);
+        assert_eq!(first_difference([2_u32; 2], &a, &b), None);
         (b[2][1], b[3][0]) = (f32::from_bits(1.0_f32.to_bits() + 1), -2.0);
-        let difference = first_difference([2, 2], &a, &b).unwrap();
+        let difference = first_difference([2_u32; 2], &a, &b).unwrap();
         assert_eq!((difference.pixel, difference.count), ([0, 1], 2));
         // −0 and 0 are two values.
-        assert!(first_difference([1, 1], &[0.0], &[-0.0]).is_some());
+        assert!(first_difference([1_u32; 2], &[0.0], &[-0.0]).is_some());
     }
 }

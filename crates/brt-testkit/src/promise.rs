@@ -39,7 +39,7 @@ pub fn broken_promise(scene: &Scene, trial: &Trial) -> Option<String> {
         let first = broken().next()?;
         let width = settings.size[0];
         let difference = Difference {
-            pixel: [first as u32 % width, first as u32 / width],
+            pixel: [first as u64 % width, first as u64 / width].map(|place| place as u32),
             expected: format!("{:?}", reference[first]),
             actual: format!("{:?}", colors[first]),
             count: broken().count(),

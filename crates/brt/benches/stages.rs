@@ -47,9 +47,9 @@ fn methods() -> [Method; 3] {
     [Method::Full, Method::Border(BorderSettings::default()), Method::Certified(CertifiedSettings::default())]
 }
 
-fn scene(name: &str, size: Option<u32>) -> Scene {
+fn scene(name: &str, size: Option<u32>) -> CheckedScene {
     let named = library::find(name).expect("a scene of the library");
-    named.build(size).expect("a size in its range")
+    named.build(size).expect("a size in its range").checked().expect("a scene without faults")
 }
 
 fn seed_file(letter: &str) -> PathBuf {
@@ -57,7 +57,7 @@ fn seed_file(letter: &str) -> PathBuf {
 }
 
 /// Renders with one thread; rows go to memory.
-fn picture(scene: &Scene, method: &Method) -> (Vec<Rows>, Seconds) {
+fn picture(scene: &CheckedScene, method: &Method) -> (Vec<Rows>, Seconds) {
     let settings = Settings { method: *method, ..Settings::new([SIDE; 2]) };
     let mut rows = Vec::new();
     let run = Run { threads: 1, ..Run::default() };
@@ -74,7 +74,9 @@ fn before_rendering(c: &mut Criterion) {
         b.iter(|| parse(Format::Toml, text.as_bytes(), &Limits::default()).expect("a scene"));
     });
     for (name, scene) in [("c", scene("seed-c", None)), ("torus", torus)] {
-        c.bench_function(&format!("prepare/{name}"), |b| b.iter(|| prepare(&scene, Accelerator::Bvh)));
+        c.bench_function(&format!("prepare/{name}"), |b| {
+            b.iter(|| _ = Renderer::new(scene.clone()).prepared(Accelerator::Bvh))
+        });
         let boxes = boxes(&scene);
         c.bench_function(&format!("bvh/{name}"), |b| b.iter(|| Bvh::build(&boxes, 4)));
     }
@@ -115,7 +117,7 @@ fn stages(c: &mut Criterion) {
     }
 }
 
-fn stage_time(count: u64, scene: &Scene, method: &Method, seconds: fn(&Seconds) -> f64) -> Duration {
+fn stage_time(count: u64, scene: &CheckedScene, method: &Method, seconds: fn(&Seconds) -> f64) -> Duration {
     let total: f64 = (0..count).map(|_| seconds(&picture(scene, method).1)).sum();
     // A stage that was not needed took no time, which is no time to divide by.
     Duration::from_secs_f64(total).max(Duration::from_nanos(1))

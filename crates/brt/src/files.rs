@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use brt_image::{Channels, EncodeError, Encoding, FileSet, PictureFormat, PictureSize, Target};
-use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, render};
-use brt_scene::Scene;
+use brt_render::{CheckedPixels, RenderError, Run, Settings, Stats, Window, render};
+use brt_scene::CheckedScene;
 use thiserror::Error;
 
 use crate::layer_paint::PicturePainter;
@@ -72,11 +72,9 @@ impl Output {
 /// What came of rendering to files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendered {
-    /// Counts and times. `seconds.render` is free of the time for encoding.
+    /// Counts and times.
     pub stats: Stats,
-    /// Time for encoding and writing, and for measuring the error, by the clock.
-    ///
-    /// Threads encode while others render, so this is their mean share of it, and the end that comes after rendering.
+    /// Time for encoding and writing, and for measuring the error, summed over threads: most of it while others rendered.
     pub encode_seconds: f64,
     /// Error against full ray tracing, if [`Settings::checked`] asked for it or a layer needed it.
     pub verification: Option<Verification>,
@@ -110,7 +108,7 @@ impl From<RenderError> for RenderFilesError {
     }
 }
 
-/// Renders a scene that passed [`Scene::check`] to a picture and its layers.
+/// Renders a scene to a picture and its layers.
 ///
 /// `settings.layers` need not be given: they follow from the output's. So do the output's channels from the backdrop.
 /// Files appear when all are complete; if anything fails, those that existed before are as they were.
@@ -118,7 +116,7 @@ impl From<RenderError> for RenderFilesError {
 /// # Errors
 /// If a file cannot be written, or see [`render`].
 pub fn render_to_files(
-    scene: &Scene,
+    scene: &CheckedScene,
     settings: &Settings,
     run: &Run,
     output: &Output,
@@ -136,7 +134,7 @@ pub fn render_to_files(
 /// See [`render_to_files`].
 pub fn render_into(
     set: &FileSet,
-    scene: &Scene,
+    scene: &CheckedScene,
     settings: &Settings,
     run: &Run,
     output: &Output,
@@ -144,13 +142,13 @@ pub fn render_into(
     let settings = with_layers_of(output, settings);
     let output = &with_channels_for(&settings, output);
     let encoding = output.encoding;
-    let size = PictureSize::new(settings.size[0], settings.size[1]);
+    let Window { width, height, .. } = settings.whole().map_err(RenderFilesError::Render)?;
+    let size = PictureSize::new(width, height);
     let painter = PicturePainter::new(scene, encoding);
     let measure = (settings.checked != CheckedPixels::None).then(|| ErrorMeasure::new(encoding, &settings));
     let mut files = PictureFiles::open(output, set, size, painter, measure)?;
-    let mut stats = render(scene, &settings, run, &mut files)?;
+    let stats = render(scene, &settings, run, &mut files)?;
     let beside = files.seconds();
-    stats.seconds.render -= beside;
     let begin = Instant::now();
     let verification = files.finish()?;
     let encode_seconds = beside + begin.elapsed().as_secs_f64();

@@ -17,7 +17,7 @@
 //! scene.lights.push(Light::Directional { direction: vec3(1.0, -2.0, -1.0), color: Rgb::WHITE });
 //! let clay = scene.add_material(Material::matte("clay", rgb(0.9, 0.35, 0.2)));
 //! scene.add(Shape::Sphere { center: vec3(0.0, 1.0, 0.0), radius: 1.0 }, clay);
-//! assert!(scene.check().is_empty());
+//! let scene = scene.checked().expect("a scene without faults");
 //!
 //! // **2. Settings** say what is rendered, a [`Run`] how. Nothing in a run changes a byte of the picture.
 //! let settings = Settings { method: Method::Border(BorderSettings::default()), ..Settings::new([64, 64]) };
@@ -74,9 +74,11 @@ pub use brt_image::{
 pub use brt_render::{
     Accelerator, Backdrop, BorderSettings, Certificate, CertificateCounts, CertifiedSettings, CheckedPixels,
     DeviationDelta, DifferenceDelta, Filter, HistoryKind, Judge, KeptRows, Layer, LayerRows, Method,
-    PencilSettings, PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Rows, Run,
-    SampleState, Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, prepare, render,
+    PencilSettings, PixelSelectedSettings, Progress, RayHistory, RayOrder, Regions, RenderError, Renderer,
+    Rows, Run, SampleState, Samples, Settings, Sink, SinkError, Stats, Tries, VarianceDelta, Window, render,
+    thread_pool,
 };
 pub use brt_scene::{
-    Camera, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Severity, Shape,
+    Camera, CheckedScene, Diagnostic, Light, Material, MaterialId, Mesh, Object, Projection, Report, Scene,
+    Severity, Shape,
 };

@@ -85,7 +85,7 @@ impl NamedScene {
             (Source::Text(_), Some(_)) => Err(NamedSceneError::NoSize { name: self.name }),
             (Source::Text(text), None) => {
                 let parsed = parse(Format::Toml, text.as_bytes(), &Limits::default());
-                Ok(parsed.expect("a test parses every scene of the library").0)
+                Ok(parsed.expect("a test parses every scene of the library").0.into_inner())
             }
         }
     }

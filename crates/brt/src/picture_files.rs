@@ -24,8 +24,6 @@ pub(crate) struct PictureFiles {
     measure: Option<ErrorMeasure>,
     /// Of measuring and painting.
     clock: WorkClock,
-    /// How many threads share the work; known once it is done.
-    threads: usize,
 }
 
 impl PictureFiles {
@@ -40,7 +38,7 @@ impl PictureFiles {
         let files =
             output.target.as_ref().map(|target| OpenFiles::open(output, target, set, size)).transpose()?;
         let transfer = output.encoding.effective_transfer();
-        Ok(Self { files, transfer, painter, measure, clock: WorkClock::default(), threads: 1 })
+        Ok(Self { files, transfer, painter, measure, clock: WorkClock::default() })
     }
 
     /// Completes all files, for their set to put in place. Returns the measured error.
@@ -51,10 +49,9 @@ impl PictureFiles {
         Ok(self.measure.map(|m| m.verification()))
     }
 
-    /// A thread's share of the time spent on encoding and measuring so far.
+    /// Time spent on encoding and measuring so far, summed over threads.
     pub(crate) fn seconds(&self) -> f64 {
-        let encoding = self.files.as_ref().map_or(0.0, OpenFiles::seconds);
-        (self.clock.seconds() + encoding) / self.threads as f64
+        self.clock.seconds() + self.files.as_ref().map_or(0.0, OpenFiles::seconds)
     }
 }
 
@@ -64,7 +61,6 @@ impl Sink for PictureFiles {
     }
 
     fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
-        self.threads = rayon::current_num_threads();
         let Self { files, painter, measure, clock, .. } = self;
         if let (Some(measure), Some(full)) = (measure, rows.full_pixels()) {
             measure.add(rows, full, clock);

@@ -26,7 +26,9 @@ fn greatest_error(file: &str, transfer: Transfer, tolerance: f64) -> f64 {
     output.encoding.transfer = transfer;
     let method = Method::Certified(CertifiedSettings { tolerance });
     let settings = Settings { method, checked: CheckedPixels::All, ..Settings::new([256, 256]) };
-    let rendered = brt::render_to_files(&glaring_ball(), &settings, &Run::default(), &output).unwrap();
+    let rendered =
+        brt::render_to_files(&glaring_ball().checked().unwrap(), &settings, &Run::default(), &output)
+            .unwrap();
     assert!(rendered.stats.pixels.filled > 0, "nothing was filled, so nothing is tested");
     rendered.verification.unwrap().comparison.max_error
 }

@@ -38,15 +38,15 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     let Options { input: from, output: path, size, reading } = options;
     let format = written_format(path)?;
     check_distinct(from, std::slice::from_ref(path))?;
-    let mut input = scene_input::read(from, reading, u64::MAX, &context.interrupt)?;
+    let input = scene_input::read(from, reading, u64::MAX, &context.interrupt)?;
     input.show_warnings();
     scene_input::check_spares(&input.files, std::slice::from_ref(path))?;
+    let mut scene = input.scene.into_inner();
     if let Some(size) = *size {
-        input.scene.size = Some(size);
-        frame(&mut input.scene, &input.given, size);
+        scene.size = Some(size);
+        frame(&mut scene, &input.given, size);
     }
-    let written =
-        if is_dash(path) { write(format, &input.scene) } else { write_beside(format, &input.scene, path) }?;
+    let written = if is_dash(path) { write(format, &scene) } else { write_beside(format, &scene, path) }?;
     scene_files::put(from, path, &written, &context.files)?;
     let report = written.report;
     if !report.diagnostics.is_empty() {

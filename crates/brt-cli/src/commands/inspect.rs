@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use brt::{Camera, Diagnostic, Light, Projection, Scene, Vec3, prepare};
+use brt::{Camera, CheckedScene, Diagnostic, Light, Projection, Renderer, Vec3};
 use clap::Args;
 use serde::Serialize;
 
@@ -82,8 +82,10 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 impl Inspection {
-    fn of(scene: &Scene, diagnostics: &[Diagnostic]) -> Self {
-        let prepared = prepare(scene, brt::Accelerator::Bvh);
+    fn of(scene: &CheckedScene, diagnostics: &[Diagnostic]) -> Self {
+        // The plainest index: only what lies in it is counted.
+        let renderer = Renderer::new(scene.clone());
+        let prepared = renderer.prepared(brt::Accelerator::None);
         let mut objects = BTreeMap::new();
         for object in &scene.objects {
             *objects.entry(object.shape.kind()).or_default() += 1;

@@ -72,7 +72,7 @@ fn own_scene(options: &Options, path: &Path, context: &Context) -> Result<(Strin
     input.show_warnings();
     let name =
         path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    Ok((name, input.scene))
+    Ok((name, input.scene.into_inner()))
 }
 
 fn spinner() -> ProgressBar {

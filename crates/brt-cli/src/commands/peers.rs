@@ -87,7 +87,7 @@ fn scenes(options: &Options, context: &Context) -> Result<Vec<(String, Scene)>, 
                 check_spared(options, path)?;
                 let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
                 input.show_warnings();
-                input.scene
+                input.scene.into_inner()
             }
         };
         let name = path.file_stem().unwrap_or(OsStr::new("scene")).to_string_lossy().into_owned();

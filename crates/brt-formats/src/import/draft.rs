@@ -275,19 +275,19 @@ impl<'b> Draft<'b> {
         if !given.background {
             scene.background = Rgb::WHITE;
         }
-        let problems = scene.check();
-        if let Some(first) = problems.first() {
-            let more = if problems.len() > 1 {
-                format!(" (and {} more)", problems.len() - 1)
-            } else {
-                String::new()
-            };
-            let message = format!("{}{more}", first.message);
-            let mut report = notices.into_report();
-            report.push(Diagnostic::error(message, None).expecting(first.expected));
-            return Err(ParseError::Malformed(report));
+        match scene.checked() {
+            Ok(scene) => Ok(Imported { scene, report: notices.into_report(), given, files: Vec::new() }),
+            Err(problems) => {
+                let more = match problems.len() - 1 {
+                    0 => String::new(),
+                    others => format!(" (and {others} more)"),
+                };
+                let message = format!("{}{more}", problems[0].message);
+                let mut report = notices.into_report();
+                report.push(Diagnostic::error(message, None).expecting(problems[0].expected));
+                Err(ParseError::Malformed(report))
+            }
         }
-        Ok(Imported { scene, report: notices.into_report(), given, files: Vec::new() })
     }
 }
 

@@ -18,7 +18,7 @@ mod write_files;
 mod write_mesh;
 mod write_texture;
 
-use brt_scene::{Diagnostic, Report, Scene};
+use brt_scene::{CheckedScene, Diagnostic, Report};
 use toml::de::DeTable;
 
 use crate::ParseError;
@@ -35,7 +35,7 @@ pub(crate) fn read(
     bytes: &[u8],
     beside: &mut Beside,
     budget: &Budget,
-) -> Result<(Scene, Report), ParseError> {
+) -> Result<(CheckedScene, Report), ParseError> {
     let text =
         std::str::from_utf8(bytes).map_err(|error| ParseError::NotUtf8 { position: error.valid_up_to() })?;
     budget.spend(Cost::Word, most_words(bytes))?;
@@ -48,16 +48,19 @@ pub(crate) fn read(
         }
     };
     let mut files = Files::new(beside, budget);
-    let read = scene::read_scene(root.get_ref(), &mut files, budget, &mut problems)?;
-    for problem in read.scene.check() {
-        let span = read.span(problem.place);
-        problems.push(Diagnostic::error(problem.message, span).expecting(problem.expected));
+    let scene::Read { scene, places } = scene::read_scene(root.get_ref(), &mut files, budget, &mut problems)?;
+    let checked = scene.checked();
+    for problem in checked.as_ref().err().into_iter().flatten() {
+        let span = places.span(problem.place);
+        problems.push(Diagnostic::error(problem.message.clone(), span).expecting(problem.expected));
     }
-    if problems.has_errors() {
-        return Err(ParseError::Malformed(problems.into_report()));
+    match checked {
+        Ok(scene) if !problems.has_errors() => {
+            unseen::note_textures(&scene, &places, &mut problems);
+            Ok((scene, problems.into_report()))
+        }
+        _ => Err(ParseError::Malformed(problems.into_report())),
     }
-    unseen::note_textures(&read, &mut problems);
-    Ok((read.scene, problems.into_report()))
 }
 
 /// An upper bound on the number of tokens: the tree of values costs memory for each of them.

@@ -26,13 +26,18 @@ const KNOWN: &[&str] =
 /// A scene whose parts remember the values that they were read from.
 pub(super) struct Read<'v, 'a> {
     pub(super) scene: Scene,
+    pub(super) places: Places<'v, 'a>,
+}
+
+/// The values that the parts of a scene were read from.
+pub(super) struct Places<'v, 'a> {
     root: &'v DeTable<'a>,
     lights: Vec<&'v Value<'a>>,
     materials: Vec<&'v Value<'a>>,
     objects: Vec<&'v Value<'a>>,
 }
 
-impl Read<'_, '_> {
+impl Places<'_, '_> {
     /// The place in the file: the field's value, or its table where the field is left out.
     pub(super) fn span(&self, place: Place) -> Option<Range<usize>> {
         let (table, field) = match place {
@@ -71,11 +76,12 @@ pub(super) fn read_scene<'v, 'a>(
     if let Some(size) = scene.size {
         budget.limits().allow_picture(size)?;
     }
-    let mut read = Read { scene, root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
+    let places = Places { root, lights: Vec::new(), materials: Vec::new(), objects: Vec::new() };
+    let mut read = Read { scene, places };
     read_lights(&mut read, problems);
     let names = read_materials(&mut read, files, problems);
-    let meshes = read_meshes(read.root, budget, problems)?;
-    for value in tables(read.root, "object", problems) {
+    let meshes = read_meshes(root, budget, problems)?;
+    for value in tables(root, "object", problems) {
         if problems.is_full() {
             break;
         }
@@ -83,7 +89,7 @@ pub(super) fn read_scene<'v, 'a>(
         for object in objects {
             spend(&object.shape, budget)?;
             read.scene.objects.push(object);
-            read.objects.push(value);
+            read.places.objects.push(value);
         }
     }
     Ok(read)
@@ -129,10 +135,10 @@ fn read_camera(value: &Value, problems: &mut Problems) -> Option<Camera> {
 }
 
 fn read_lights(read: &mut Read, problems: &mut Problems) {
-    for value in tables(read.root, "light", problems) {
+    for value in tables(read.places.root, "light", problems) {
         if let Some(light) = read_light(value, problems) {
             read.scene.lights.push(light);
-            read.lights.push(value);
+            read.places.lights.push(value);
         }
     }
 }
@@ -143,7 +149,7 @@ fn read_materials<'v>(
     files: &mut Files,
     problems: &mut Problems,
 ) -> HashMap<&'v str, MaterialId> {
-    let Some(value) = read.root.get("materials") else {
+    let Some(value) = read.places.root.get("materials") else {
         return HashMap::new();
     };
     let DeValue::Table(table) = value.get_ref() else {
@@ -158,7 +164,7 @@ fn read_materials<'v>(
         let name = key.get_ref().as_ref();
         let material = read_material(name, value, files, problems);
         let id = read.scene.add_material(material.unwrap_or_else(|| Material::matte(name, Rgb::WHITE)));
-        read.materials.push(value);
+        read.places.materials.push(value);
         names.insert(name, id);
     }
     names

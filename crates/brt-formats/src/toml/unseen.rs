@@ -2,20 +2,20 @@
 
 use brt_scene::{Object, Place, Scene, Shape};
 
-use super::scene::Read;
+use super::scene::Places;
 use crate::import::Notices;
 use crate::problems::Problems;
 
 /// Warns of them, once for each kind of object.
-pub(super) fn note_textures(read: &Read, problems: &mut Problems) {
+pub(super) fn note_textures(scene: &Scene, places: &Places, problems: &mut Problems) {
     let mut notices = Notices::default();
-    for (i, object) in read.scene.objects.iter().enumerate() {
-        if !shows_texture(object) && has_texture(object, &read.scene) {
+    for (i, object) in scene.objects.iter().enumerate() {
+        if !shows_texture(object) && has_texture(object, scene) {
             let what = match &object.shape {
                 Shape::Mesh(_) => "texture not seen: the mesh has no `texcoords`".to_owned(),
                 other => format!("texture not seen: a {} has no `texcoords`, only a mesh has", other.kind()),
             };
-            notices.note(&what, read.span(Place::Object(i, "material")).unwrap_or_default());
+            notices.note(&what, places.span(Place::Object(i, "material")).unwrap_or_default());
         }
     }
     notices.into_report().diagnostics.into_iter().for_each(|warning| problems.push(warning));

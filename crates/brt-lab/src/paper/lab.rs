@@ -3,7 +3,10 @@
 //! Times are processor times of one thread: other programs disturb them least. Contenders take turns within each
 //! repetition, so that a machine which slows down slows all of them.
 
-use brt::{KeptRows, Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, Transfer, render};
+use brt::{
+    CheckedScene, KeptRows, Method, RayOrder, Rows, Run, Scene, Settings, Sink, SinkError, Stats, Transfer,
+    render,
+};
 use cpu_time::ProcessTime;
 
 use super::fit::median;
@@ -53,6 +56,10 @@ impl Timing {
     }
 }
 
+fn fit(scene: &Scene) -> Result<CheckedScene, PaperError> {
+    scene.clone().checked().map_err(|problems| PaperError::Scene(problems[0].to_string()))
+}
+
 impl<'a> Lab<'a> {
     pub(crate) fn new(options: &Options, watch: Watch<'a>) -> Self {
         let mut sizes = options.sizes.clone();
@@ -81,17 +88,18 @@ impl<'a> Lab<'a> {
     /// A picture with its layers, on all threads.
     pub(crate) fn picture(&self, scene: &Scene, settings: &Settings) -> Result<Picture, PaperError> {
         let mut kept = KeptRows::new(PAPERS_TRANSFER);
-        let stats = render(scene, settings, &self.run(0), &mut kept)?;
-        Ok(Picture::new(settings.size, stats, kept.rows))
+        let stats = render(&fit(scene)?, settings, &self.run(0), &mut kept)?;
+        Ok(Picture::new(settings.size.map(|side| side as u32), stats, kept.rows))
     }
 
     /// Counts, on all threads.
     pub(crate) fn count(&self, scene: &Scene, settings: &Settings) -> Result<Stats, PaperError> {
-        Ok(render(scene, settings, &self.run(0), &mut Nowhere)?)
+        Ok(render(&fit(scene)?, settings, &self.run(0), &mut Nowhere)?)
     }
 
     /// Times contenders, in turns, on one thread.
     pub(crate) fn time(&self, scene: &Scene, contenders: &[Settings]) -> Result<Vec<Timing>, PaperError> {
+        let scene = fit(scene)?;
         let mut runs: Vec<Vec<(f64, f64, Stats)>> = vec![Vec::new(); contenders.len()];
         for repetition in 0..MOST_REPETITIONS {
             for (settings, runs) in contenders.iter().zip(&mut runs) {
@@ -99,7 +107,7 @@ impl<'a> Lab<'a> {
                     continue;
                 }
                 let begin = ProcessTime::now();
-                let stats = render(scene, settings, &self.run(1), &mut Nowhere)?;
+                let stats = render(&scene, settings, &self.run(1), &mut Nowhere)?;
                 let seconds = begin.elapsed().as_secs_f64();
                 runs.push((seconds, stats.seconds.perspective / stats.seconds.render, stats));
             }
@@ -124,9 +132,9 @@ impl<'a> Lab<'a> {
     pub(crate) fn foreseen(&self, scene: &Scene, settings: &Settings) -> Result<f64, PaperError> {
         const SIDE: u32 = 24;
         let begin = ProcessTime::now();
-        let probe = Settings { size: [SIDE, SIDE], method: Method::Full, ..settings.clone() };
-        render(scene, &probe, &self.run(1), &mut Nowhere)?;
-        let [width, height] = settings.size.map(f64::from);
+        let probe = Settings { size: [u64::from(SIDE); 2], method: Method::Full, ..settings.clone() };
+        render(&fit(scene)?, &probe, &self.run(1), &mut Nowhere)?;
+        let [width, height] = settings.size.map(|side| side as f64);
         Ok(begin.elapsed().as_secs_f64() * width * height / f64::from(SIDE * SIDE))
     }
 

@@ -37,13 +37,19 @@ impl Outline {
     }
 }
 
-/// Outlines of all primitives that can be seen, by band.
+/// Outlines of all primitives that can be seen in a window.
+///
+/// They stand in a segment tree over its bands (Bentley 1977): each at the few nodes whose bands together are those that it
+/// reaches. Memory grows with the number of outlines and not with how many bands they cross: all of a hall around the eye
+/// may cross every one.
 pub(crate) struct Outlines {
     outlines: Vec<Outline>,
-    /// Positions in `outlines`, band after band.
-    order: Vec<u32>,
-    /// Where each band's part of `order` starts; one more at the end.
+    /// Positions in `outlines`, node after node, in their order at each.
+    at_nodes: Vec<u32>,
+    /// Where each node's part of `at_nodes` starts; one more at the end. Node 1 is the root, 2·n and 2·n + 1 are the halves of
+    /// n, and the leaf of the first band is node `leaves`.
     starts: Vec<usize>,
+    leaves: usize,
 }
 
 /// Outlines of one band, by tile.
@@ -59,17 +65,27 @@ impl Outlines {
             .zip(&scene.primitives)
             .filter_map(|(id, primitive)| outline_of(id, primitive, camera, grid))
             .collect();
-        let band_range = |o: &Outline| o.y.map(|y| (y / SampleGrid::TILE) as usize);
-        let (order, starts) = sort_into(grid.bands() as usize, outlines.iter().map(band_range));
-        Self { outlines, order, starts }
+        let leaves = (grid.bands() as usize).next_power_of_two();
+        let nodes = |o: &Outline| nodes_of(o.y.map(|y| leaves + (y / SampleGrid::TILE) as usize));
+        let (at_nodes, starts) = sort_into(2 * leaves, outlines.iter().map(nodes));
+        Self { outlines, at_nodes, starts, leaves }
     }
 
     /// The outlines that a band's tiles may show, by tile and in the order of primitives.
     pub(crate) fn band(&self, grid: &SampleGrid, band: u32) -> BandOutlines {
-        let mine = &self.order[self.starts[band as usize]..self.starts[band as usize + 1]];
+        let leaf = self.leaves + band as usize;
+        let way_up = std::iter::successors(Some(leaf), |node| Some(node / 2).filter(|node| *node > 0));
+        let mut mine: Vec<u32> = way_up
+            .flat_map(|node| &self.at_nodes[self.starts[node]..self.starts[node + 1]])
+            .copied()
+            .collect();
+        mine.sort_unstable();
         let outline = |i: &u32| &self.outlines[*i as usize];
-        let tile_range = |i: &u32| outline(i).x.map(|x| (x / SampleGrid::TILE) as usize);
-        let (order, starts) = sort_into(grid.tiles_wide() as usize, mine.iter().map(tile_range));
+        let tiles = |i: &u32| {
+            let [first, last] = outline(i).x.map(|x| (x / SampleGrid::TILE) as usize);
+            first..=last
+        };
+        let (order, starts) = sort_into(grid.tiles_wide() as usize, mine.iter().map(tiles));
         let outlines = order.iter().map(|&k| *outline(&mine[k as usize])).collect();
         BandOutlines { outlines, starts }
     }
@@ -81,17 +97,41 @@ impl BandOutlines {
     }
 }
 
-/// Distributes items over bins, each into an inclusive range; keeps their order in every bin.
-fn sort_into(bins: usize, ranges: impl Iterator<Item = [usize; 2]> + Clone) -> (Vec<u32>, Vec<usize>) {
-    let mut starts = vec![0; bins + 1];
-    for [first, last] in ranges.clone() {
-        (first..=last).for_each(|bin| starts[bin + 1] += 1);
+/// The fewest nodes of a segment tree under which the leaves from the first to the last stand, and no others.
+fn nodes_of([mut first, mut last]: [usize; 2]) -> impl Iterator<Item = usize> + Clone {
+    let mut nodes = [0; 2 * usize::BITS as usize];
+    let mut count = 0;
+    let mut add = |node: usize| {
+        nodes[count] = node;
+        count += 1;
+    };
+    while first <= last {
+        // A right half at the left end, and a left half at the right end, stand for themselves; parents for the others.
+        if first % 2 == 1 {
+            add(first);
+            first += 1;
+        }
+        if last.is_multiple_of(2) {
+            add(last);
+            last -= 1;
+        }
+        (first, last) = (first / 2, last / 2);
     }
+    nodes.into_iter().take(count)
+}
+
+/// Distributes items over bins, each into some of them; keeps their order in every bin.
+fn sort_into<B>(bins: usize, items: impl Iterator<Item = B> + Clone) -> (Vec<u32>, Vec<usize>)
+where
+    B: IntoIterator<Item = usize>,
+{
+    let mut starts = vec![0; bins + 1];
+    items.clone().flatten().for_each(|bin| starts[bin + 1] += 1);
     (0..bins).for_each(|bin| starts[bin + 1] += starts[bin]);
     let mut next = starts.clone();
     let mut order = vec![0; starts[bins]];
-    for (index, [first, last]) in ranges.enumerate() {
-        for bin in first..=last {
+    for (index, of_item) in items.enumerate() {
+        for bin in of_item {
             order[next[bin]] = index as u32;
             next[bin] += 1;
         }
@@ -179,9 +219,29 @@ mod tests {
 
     #[test]
     fn items_keep_their_order_in_every_bin() {
-        let ranges = [[0, 2], [1, 1], [2, 2], [0, 0]];
+        let ranges = [0..=2, 1..=1, 2..=2, 0..=0];
         let (order, starts) = sort_into(3, ranges.into_iter());
         assert_eq!(starts, [0, 2, 4, 6]);
         assert_eq!(order, [0, 3, 0, 1, 0, 2]);
+    }
+
+    #[test]
+    fn every_leaf_of_a_range_stands_under_one_of_its_nodes_and_no_other_does() {
+        const LEAVES: usize = 16;
+        for first in 0..LEAVES {
+            for last in first..LEAVES {
+                let nodes: Vec<usize> = nodes_of([LEAVES + first, LEAVES + last]).collect();
+                assert!(nodes.len() <= 2 * 4, "{first} to {last}: {nodes:?}");
+                for leaf in 0..LEAVES {
+                    let mut above = std::iter::successors(Some(LEAVES + leaf), |n| Some(n / 2));
+                    let count = above.by_ref().take(5).filter(|n| nodes.contains(n)).count();
+                    assert_eq!(
+                        count,
+                        usize::from((first..=last).contains(&leaf)),
+                        "{leaf} of {first} to {last}"
+                    );
+                }
+            }
+        }
     }
 }

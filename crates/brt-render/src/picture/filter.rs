@@ -1,5 +1,7 @@
 //! Reconstruction filters: how samples become pixels.
 
+use std::ops::Range;
+
 use brt_geometry::SimdLevel;
 
 use super::mean::means;
@@ -79,8 +81,8 @@ pub(crate) fn reduce<const N: usize>(
         return TileShares { x, y, width, values };
     }
     // Separable: first along rows of samples, then down the columns.
-    let along = Axis::new(filter, n, x, width, tile.width, grid.width);
-    let down = Axis::new(filter, n, y, height, tile.height, grid.height);
+    let along = Axis::new(filter, n, x, width, tile.width, picture_span(grid, 0));
+    let down = Axis::new(filter, n, y, height, tile.height, picture_span(grid, 1));
     let mut rows = vec![[0.0_f64; N]; (width * tile.height) as usize];
     for (row, sums) in samples.chunks_exact(tile.width as usize).zip(rows.chunks_exact_mut(width as usize)) {
         for share in &along.shares {
@@ -116,6 +118,12 @@ fn add<const N: usize>(sum: &mut [f64; N], value: [f64; N], weight: f64) {
     }
 }
 
+/// The whole picture's pixels along an axis, counted from the grid's first.
+fn picture_span(grid: &SampleGrid, axis: usize) -> Range<i64> {
+    let first = -(grid.first[axis] as i64);
+    first..first + grid.picture[axis] as i64
+}
+
 /// Weights of samples in pixels along one axis of a tile.
 struct Axis {
     shares: Vec<Share>,
@@ -128,8 +136,8 @@ struct Share {
 }
 
 impl Axis {
-    /// `first` is the first pixel of `pixels`; the tile has `samples`, the whole picture `picture` pixels.
-    fn new(filter: Filter, n: u32, first: i64, pixels: u32, samples: u32, picture: u32) -> Self {
+    /// `first` is the first pixel of `pixels`; the tile has `samples`; the whole picture has these pixels.
+    fn new(filter: Filter, n: u32, first: i64, pixels: u32, samples: u32, picture: Range<i64>) -> Self {
         let margin = i64::from(filter.margin());
         let n = i64::from(n);
         // Distance from a pixel's middle to the sample `s` of the pixel `offset` further on.
@@ -137,12 +145,12 @@ impl Axis {
         let mut shares = Vec::new();
         for pixel in 0..i64::from(pixels) {
             let place = first + pixel;
-            if !(0..i64::from(picture)).contains(&place) {
+            if !picture.contains(&place) {
                 continue;
             }
             let weights = |offset: i64| (0..n).map(move |s| filter.weight(distance(offset, s)));
             // Samples outside the picture do not exist; the others share their weight.
-            let inside = |offset: &i64| (0..i64::from(picture)).contains(&(place + offset));
+            let inside = |offset: &i64| picture.contains(&(place + offset));
             let total: f64 = (-margin..=margin).filter(inside).flat_map(weights).sum();
             for offset in (-margin..=margin).filter(inside) {
                 for (s, weight) in (0..n).zip(weights(offset)) {

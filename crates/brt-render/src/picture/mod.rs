@@ -1,6 +1,7 @@
 //! From samples to pixels, and from tiles to rows that stream out.
 
 mod band;
+mod crop;
 mod filter;
 mod layers;
 mod mean;
@@ -8,6 +9,7 @@ mod paint;
 mod sink;
 
 pub(crate) use band::{BandAssembler, FullTile, TilePicture};
+pub(crate) use crop::Crop;
 pub use filter::Filter;
 pub(crate) use filter::{TileShares, reduce, reduce_alpha, reduce_into};
 pub use layers::{Layer, LayerRows};

@@ -13,7 +13,7 @@ pub struct PreparedCamera {
     pub(crate) right: Vec3,
     pub(crate) up: Vec3,
     pub(crate) is_perspective: bool,
-    /// Offset from the picture's middle to the first sample, in half samples.
+    /// Offset from the whole picture's middle to the grid's first sample, in half samples.
     pub(crate) first: [f64; 2],
     /// Half a sample in units of `right` and `up` at distance 1 (perspective) or in scene units.
     pub(crate) half_sample: f64,
@@ -27,7 +27,9 @@ impl PreparedCamera {
     pub fn new(camera: &Camera, origin: Vec3, grid: &SampleGrid) -> Self {
         let forward = (camera.look_at - camera.eye).try_normalize().unwrap_or_default();
         let right = forward.cross(camera.up.try_normalize().unwrap_or_default()).normalize();
-        let (wide, high) = (f64::from(grid.samples_wide()), f64::from(grid.samples_high()));
+        // All of these are integers below 2⁵³, and so are positions of samples, but for a few binary places: exact.
+        let samples = |pixels: u64| (pixels * u64::from(grid.per_side)) as f64;
+        let ([wide, high], [left, above]) = (grid.picture.map(samples), grid.first.map(samples));
         let (is_perspective, half_extent) = match camera.projection {
             Projection::Perspective { fov_deg } => (true, libm::tan(0.5 * fov_deg.to_radians())),
             Projection::Orthographic { extent } => (false, 0.5 * extent),
@@ -38,7 +40,7 @@ impl PreparedCamera {
             right,
             up: right.cross(forward),
             is_perspective,
-            first: [1.0 - wide, 1.0 - high],
+            first: [2.0 * left + (1.0 - wide), 2.0 * above + (1.0 - high)],
             half_sample: half_extent / wide.min(high),
             pattern: grid.pattern(),
         }
@@ -53,16 +55,25 @@ impl PreparedCamera {
 
     /// The rays through all samples of an area.
     pub(crate) fn block(&self, area: &Area) -> Ray<Taylor> {
+        // Doubled and shifted without rounding, so that the models do not know from where columns and rows are counted.
+        let from_middle =
+            |x: Taylor, first: f64| Taylor { c: 2.0 * x.c + first, u: 2.0 * x.u, v: 2.0 * x.v, e: 0.0 };
         let [x, y] = area.coordinates(&self.pattern);
-        self.ray(x, y)
+        self.ray_beside_middle(from_middle(x, self.first[0]), from_middle(y, self.first[1]))
     }
 
     /// The ray through a position of the grid, in columns and rows from the middle of the first sample's place.
     #[inline(always)]
     pub fn ray<R: Real>(&self, x: R, y: R) -> Ray<R> {
         let two = R::constant(2.0);
-        let across = (two * x + R::constant(self.first[0])) * R::constant(self.half_sample);
-        let down = (two * y + R::constant(self.first[1])) * R::constant(self.half_sample);
+        let from_middle = |x: R, first: f64| two * x + R::constant(first);
+        self.ray_beside_middle(from_middle(x, self.first[0]), from_middle(y, self.first[1]))
+    }
+
+    /// The ray through a position in half samples from the whole picture's middle.
+    #[inline(always)]
+    fn ray_beside_middle<R: Real>(&self, x: R, y: R) -> Ray<R> {
+        let (across, down) = (x * R::constant(self.half_sample), y * R::constant(self.half_sample));
         let offset = self.right.lift::<R>() * across - self.up.lift::<R>() * down;
         if self.is_perspective {
             Ray::new(self.eye.lift(), self.forward.lift::<R>() + offset)

@@ -10,7 +10,7 @@ pub use camera::PreparedCamera;
 
 use brt_geometry::{Aabb, Bvh, Exponent, Extents, Grid, Primitive, SpatialIndex, Vec3};
 use brt_image::Rgb;
-use brt_scene::{Light, Material, Scene, Shape};
+use brt_scene::{CheckedScene, Light, Material, Scene, Shape};
 
 use crate::products::{
     Beam, PreparedChecker, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo,
@@ -23,8 +23,8 @@ use origin::origin_of;
 /// So few bounded primitives are tested faster than a tree over them is entered.
 const FEW: usize = 3;
 
-/// Flattens a scene and builds an index over its primitives. The scene must have passed [`Scene::check`].
-pub fn prepare(scene: &Scene, accelerator: Accelerator) -> PreparedScene {
+/// Flattens a scene and builds an index over its primitives.
+pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene {
     let origin = origin_of(scene);
     let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
     let mut flat = Flattened::of(scene, origin, &materials);

@@ -4,7 +4,7 @@ use brt_geometry::Taylor;
 
 use super::SamplePattern;
 
-/// A rectangle of samples, counted over the whole picture; `x1` and `y1` not included.
+/// A rectangle of samples of the grid; `x1` and `y1` not included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Area {
     pub(crate) x0: u32,

@@ -37,7 +37,7 @@ pub struct Seconds {
     pub trace: f64,
     /// Filling.
     pub fill: f64,
-    /// All of these by the clock.
+    /// All of these by the clock, from the first to the last row that the sink took.
     pub render: f64,
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Area, Certificate, RayHistory, SampleGrid};
+use super::{Area, Certificate, RayHistory, SampleGrid, Window};
 
 /// How a sample got its colour. Every sample is exactly one of these in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,7 +22,7 @@ pub enum SampleState {
 /// A rectangle of the picture that is rendered at a time: at most [`SampleGrid::TILE`] samples wide and high.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Tile {
-    /// First sample column and row, counted over the whole picture.
+    /// First sample column and row of the grid.
     pub(crate) x: u32,
     pub(crate) y: u32,
     /// Samples per row, rows.
@@ -39,6 +39,17 @@ impl Tile {
             y,
             width: SampleGrid::TILE.min(grid.samples_wide() - x),
             height: SampleGrid::TILE.min(grid.samples_high() - y),
+        }
+    }
+
+    /// Its pixels.
+    pub(crate) fn pixels(&self, grid: &SampleGrid) -> Window {
+        let pixels = |samples: u32| samples / grid.per_side;
+        Window {
+            x: grid.first[0] + u64::from(pixels(self.x)),
+            y: grid.first[1] + u64::from(pixels(self.y)),
+            width: pixels(self.width),
+            height: pixels(self.height),
         }
     }
 

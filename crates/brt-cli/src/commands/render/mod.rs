@@ -11,12 +11,12 @@ mod targets;
 
 use std::time::Instant;
 
-use brt::{RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_into};
+use brt::{CheckedScene, RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_into};
 
 use crate::commands::text_file;
 use crate::context::Context;
 use crate::exit::{Failure, Outcome};
-use crate::progress::Bar;
+use crate::progress::{Bar, NoBar};
 use crate::{output, scene_input};
 
 pub(crate) use options::Options;
@@ -35,16 +35,19 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
         input.show_warnings();
     }
     // Its text may be large.
-    let mut scene = input.scene;
-    let settings = settings(options, method, &scene)?;
+    let mut scene = input.scene.into_inner();
+    let size = options.size.or(scene.size).unwrap_or([1024, 1024]);
+    targets::check_size(size, options.max_pixels)?;
+    let settings = settings(options, method, size);
     if options.view.sheet {
         sheet::render(options, &targets, context, scene, &input.given, &settings)?;
         return Ok(Outcome::Done);
     }
-    options.view.apply(&mut scene, &input.given, settings.size)?;
+    options.view.apply(&mut scene, &input.given, size)?;
+    let scene = fit(scene)?;
     let load = begin.elapsed().as_secs_f64();
     if let Some(pixel) = options.pixel {
-        return pixel::show(options, context, &scene, settings, pixel);
+        return pixel::show(options, context, scene, settings, pixel.map(u64::from));
     }
 
     let stats_file =
@@ -60,11 +63,16 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     Ok(outcome(options, &rendered))
 }
 
-fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Settings, Failure> {
-    let size = options.size.or(scene.size).unwrap_or([1024, 1024]);
-    targets::check_size(size, options.max_pixels)?;
-    Ok(Settings {
-        size,
+/// The scene as options have changed it.
+fn fit(scene: Scene) -> Result<CheckedScene, Failure> {
+    scene.checked().map_err(|problems| {
+        anyhow::anyhow!("with these options the scene has a fault: {}", problems[0]).into()
+    })
+}
+
+fn settings(options: &Options, method: brt::Method, size: [u32; 2]) -> Settings {
+    Settings {
+        size: size.map(u64::from),
         samples: options.samples,
         filter: options.filter.into(),
         method,
@@ -74,19 +82,19 @@ fn settings(options: &Options, method: brt::Method, scene: &Scene) -> Result<Set
         layers: Vec::new(),
         checked: options.checked(),
         backdrop: options.view.backdrop(),
-    })
+    }
 }
 
 fn render(
     options: &Options,
     context: &Context,
     targets: &Targets,
-    scene: &Scene,
+    scene: &CheckedScene,
     settings: &Settings,
 ) -> Result<Rendered, Failure> {
-    let bar = (output::errors_are_seen() && !options.quiet).then(|| Bar::new(settings.size[1]));
-    let progress = bar.as_ref().map(|bar| bar as &dyn brt::Progress);
-    let run = Run { progress, ..options.run(context) };
+    let bar = (output::errors_are_seen() && !options.quiet).then(|| Bar::new(settings.size[1] as u32));
+    let progress: &dyn brt::Progress = bar.as_ref().map_or(&NoBar, |bar| bar);
+    let run = Run { progress: Some(progress), ..options.run(context) };
     render_into(&context.files, scene, settings, &run, &targets.picture).map_err(failure)
 }
 

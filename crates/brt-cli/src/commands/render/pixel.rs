@@ -1,28 +1,29 @@
 //! `--pixel X,Y`: what is seen in one pixel.
 //!
-//! The pixel is rendered just as in the whole picture, so that whatever is odd about it shows again: all rows down to
-//! it are rendered, and then the rendering stops.
+//! The pixel is rendered just as in the whole picture, so that whatever is odd about it shows again; of the rest, only the
+//! tile that it lies in.
 
 use std::fmt;
 
 use brt::image::{PixelRows, straight};
 use brt::{
-    Layer, LayerRows, RenderError, Rows, SampleState, Scene, Settings, Sink, SinkError, Transfer, prepare,
-    render,
+    Accelerator, CheckedScene, KeptRows, Layer, LayerRows, RenderError, Renderer, Rows, Run, SampleState,
+    Settings, Transfer, Window,
 };
 
 use super::options::Options;
 use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
+use crate::progress::NoBar;
 
 /// Prints what is seen in a pixel.
 pub(super) fn show(
     options: &Options,
     context: &Context,
-    scene: &Scene,
+    scene: CheckedScene,
     mut settings: Settings,
-    [x, y]: [u32; 2],
+    [x, y]: [u64; 2],
 ) -> Result<Outcome, Failure> {
     let [width, height] = settings.size;
     if x >= width || y >= height {
@@ -30,79 +31,27 @@ pub(super) fn show(
     }
     settings.layers = Layer::ALL.to_vec();
     let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
-    let mut sink = PixelSink { pixel: [x, y], transfer, found: None };
-    match render(scene, &settings, &options.run(context), &mut sink) {
-        // The sink stops the rendering once it has what it wants.
-        Ok(_) | Err(RenderError::Sink(_)) => {}
+    let mut sink = KeptRows::new(transfer);
+    let renderer = Renderer::new(scene);
+    let run = Run { progress: Some(&NoBar), ..options.run(context) };
+    let (camera, window) = (&renderer.scene().camera, Window::pixel(x, y));
+    match renderer.render(camera, window, &settings, &run, &mut sink) {
+        Ok(_) => {}
         Err(RenderError::Cancelled) => return Err(Failure::Interrupted),
         Err(error) => return Err(error.into()),
     }
-    let found = sink.found.ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
+    let found = sink.rows.pop().ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
     output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()))?;
-    for line in describe(&found, scene, transfer) {
+    for line in describe(&found, &renderer, settings.accelerator, transfer) {
         output::line(&line)?;
     }
     Ok(Outcome::Done)
 }
 
-/// Rows of a single pixel.
-struct PixelSink {
-    pixel: [u32; 2],
-    transfer: Transfer,
-    found: Option<Rows>,
-}
-
-impl Sink for PixelSink {
-    fn transfer(&self) -> Transfer {
-        self.transfer
-    }
-
-    fn take(&mut self, rows: &Rows) -> Result<(), SinkError> {
-        let [x, y] = self.pixel;
-        if y >= rows.first + rows.count() {
-            return Ok(());
-        }
-        let index = (y - rows.first) as usize * rows.width as usize + x as usize;
-        self.found = Some(Rows {
-            first: y,
-            width: 1,
-            colors: vec![rows.colors[index]],
-            alpha: rows.alpha.as_ref().map(|alpha| vec![alpha[index]]),
-            full: rows.full.as_ref().map(|full| vec![full[index]]),
-            full_alpha: rows.full_alpha.as_ref().map(|alpha| vec![alpha[index]]),
-            layers: rows.layers.iter().map(|layer| value_at(layer, index)).collect(),
-        });
-        Err(Box::new(Found))
-    }
-}
-
-/// Ends the rendering.
-#[derive(Debug)]
-struct Found;
-
-impl fmt::Display for Found {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the pixel is rendered")
-    }
-}
-
-impl std::error::Error for Found {}
-
-fn value_at(layer: &LayerRows, index: usize) -> LayerRows {
-    match layer {
-        LayerRows::Surface(v) => LayerRows::Surface(vec![v[index]]),
-        LayerRows::Depth(v) => LayerRows::Depth(vec![v[index]]),
-        LayerRows::Normal(v) => LayerRows::Normal(vec![v[index]]),
-        LayerRows::History(v) => LayerRows::History(vec![v[index]]),
-        LayerRows::State(v) => LayerRows::State(vec![v[index]]),
-        LayerRows::Certificates(v) => LayerRows::Certificates(vec![v[index]]),
-    }
-}
-
-fn describe(found: &Rows, scene: &Scene, transfer: Transfer) -> Vec<String> {
+fn describe(found: &Rows, renderer: &Renderer, accelerator: Accelerator, transfer: Transfer) -> Vec<String> {
     let layer = |layer: &LayerRows| {
         Some(match layer {
-            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene)),
+            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], renderer, accelerator)),
             LayerRows::Depth(v) => format!("depth    {}", v[0]),
             LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
             LayerRows::History(v) => format!("history  {:016x}", v[0].0),
@@ -131,9 +80,9 @@ fn covering(pixel: PixelRows) -> ([f32; 3], f32) {
     (straight(pixel.colors[0], alpha), alpha)
 }
 
-fn surface(id: u32, scene: &Scene) -> String {
-    let prepared = prepare(scene, brt::Accelerator::Bvh);
-    let Some(surface) = prepared.surfaces().get(id as usize) else {
+fn surface(id: u32, renderer: &Renderer, accelerator: Accelerator) -> String {
+    let scene = renderer.scene();
+    let Some(surface) = renderer.prepared(accelerator).surfaces().get(id as usize) else {
         return "none: the background".to_owned();
     };
     let Some(object) = scene.objects.get(surface.object) else { return id.to_string() };

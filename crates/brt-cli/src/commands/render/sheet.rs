@@ -13,13 +13,13 @@ use std::thread;
 use brt::framing::View;
 use brt::image::{BandWriter, PixelRows, encoder};
 use brt::{
-    Given, PictureSize, RenderError, Rows, Run, Scene, Settings, Sink, SinkError, Transfer,
-    render as render_rows,
+    CheckedScene, Given, PictureSize, RenderError, Rows, Run, Scene, Settings, Sink, SinkError, Transfer,
+    Window, render as render_rows,
 };
 
-use super::failure;
 use super::options::Options;
 use super::targets::Targets;
+use super::{failure, fit};
 use crate::context::Context;
 use crate::exit::Failure;
 
@@ -40,7 +40,7 @@ pub(super) fn render(
 ) -> Result<(), Failure> {
     let output = &targets.picture;
     let Some(target) = &output.target else { return Ok(()) };
-    let [width, height] = settings.size;
+    let Window { width, height, .. } = settings.whole()?;
     let mut file = encoder(context.files.open(target)?, PictureSize::new(width, height), output.encoding)?;
     options.view.paint(&mut scene, given)?;
     options.view.stand(&mut scene, given);
@@ -49,9 +49,9 @@ pub(super) fn render(
         let cells = zip(views, halves(width)).map(|(view, width)| {
             let mut scene = scene.clone();
             options.view.look(&mut scene, given, Some(view), [width, height]);
-            (scene, Settings { size: [width, height], ..settings.clone() })
+            Ok((fit(scene)?, Settings { size: [width, height].map(u64::from), ..settings.clone() }))
         });
-        let cells: Vec<_> = cells.collect();
+        let cells: Vec<_> = cells.collect::<Result<_, Failure>>()?;
         render_pair(&cells, options, context, &mut *file, transfer).map_err(|error| failure(error.into()))?;
     }
     file.finish()?;
@@ -60,7 +60,7 @@ pub(super) fn render(
 
 /// Renders two views, the left one on a thread of its own, and writes their joined rows.
 fn render_pair(
-    cells: &[(Scene, Settings)],
+    cells: &[(CheckedScene, Settings)],
     options: &Options,
     context: &Context,
     file: &mut dyn BandWriter,

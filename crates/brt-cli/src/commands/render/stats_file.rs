@@ -10,8 +10,8 @@ use crate::commands::text_file;
 use crate::exit::Failure;
 use crate::json;
 
-/// Times in seconds: stages summed over threads, the others by the clock. Threads encode while others render: `encode` is
-/// a thread's share of it, and `render` what is left.
+/// Times in seconds: `load`, `prepare`, `render` and `total` by the clock, the others summed over threads. Threads encode while
+/// others render: `encode` is a part of what all of them did in the time of `render`, and what was left after it.
 #[derive(Debug, Serialize)]
 pub(super) struct Seconds {
     load: f64,
@@ -37,8 +37,8 @@ impl Seconds {
 #[derive(Debug, Serialize)]
 struct StatsJson<'a> {
     method: &'static str,
-    width: u32,
-    height: u32,
+    width: u64,
+    height: u64,
     samples: u32,
     threads: usize,
     seconds: &'a Seconds,

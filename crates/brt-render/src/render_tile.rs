@@ -1,105 +1,21 @@
-//! The whole method on one screen.
+//! One tile, from rays to pixels.
 
-use std::time::Instant;
-
-use brt_image::Transfer;
-use brt_scene::Scene;
-use thiserror::Error;
-
+use crate::job::Job;
 use crate::methods::{
     TileWorker, Tolerance, render_border, render_certified, render_full, render_item_buffer, render_pencil,
     render_pixel_selected, render_reference, render_scan_line, trace_row,
 };
-use crate::perspective::{Outline, Outlines, Painter};
+use crate::perspective::{Outline, Painter};
 use crate::picture::{
-    BandAssembler, FullTile, Layer, LayerRows, LayerSources, Sink, SinkError, TilePicture, TileShares,
-    reduce, reduce_alpha, reduce_into, tile_layer,
+    FullTile, Layer, LayerRows, LayerSources, TilePicture, TileShares, reduce, reduce_alpha, reduce_into,
+    tile_layer,
 };
-use crate::prepare::{PreparedCamera, prepare};
-use crate::products::{Counters, PreparedScene, SampleGrid, StageClock, Stats, Tile};
-use crate::run::Run;
-use crate::schedule::Schedule;
+use crate::products::{StageClock, Tile};
 use crate::settings::{CheckedPixels, Method, Settings};
-use crate::tracing::{BoundingSpheres, PencilTracer};
+use crate::tracing::PencilTracer;
 
-/// Why there is no picture.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum RenderError {
-    /// The caller set the cancel flag.
-    #[error("cancelled")]
-    Cancelled,
-    /// The sink took no more rows.
-    #[error(transparent)]
-    Sink(SinkError),
-    /// The settings cannot be met.
-    #[error("{0}")]
-    Settings(String),
-    /// No threads could be started.
-    #[error("cannot start threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-}
-
-/// Renders a scene that passed [`Scene::check`]; rows go to the sink from the top to the bottom.
-///
-/// # Errors
-/// If it is cancelled, the sink fails, or the settings are out of range.
-pub fn render(
-    scene: &Scene,
-    settings: &Settings,
-    run: &Run,
-    sink: &mut dyn Sink,
-) -> Result<Stats, RenderError> {
-    settings.check().map_err(RenderError::Settings)?;
-    let begin = Instant::now();
-    let grid = SampleGrid::new(settings.size, settings.samples);
-    let prepared = prepare(scene, settings.accelerator);
-    let camera = PreparedCamera::new(&scene.camera, prepared.origin, &grid);
-    let job = Job {
-        scene: &prepared,
-        camera: &camera,
-        grid: &grid,
-        settings,
-        max_depth: settings.max_depth.unwrap_or(scene.max_depth),
-        transfer: sink.transfer(),
-        spheres: settings.method.needs_bounding_spheres().then(|| BoundingSpheres::new(&prepared)),
-        outlines: settings.needs_perspective_image().then(|| Outlines::new(&prepared, &camera, &grid)),
-    };
-    let prepare_seconds = begin.elapsed().as_secs_f64();
-
-    let mut counters = Counters::default();
-    let mut assembler = BandAssembler::new(&grid, settings);
-    Schedule::new(&job, run)?.run(|band| {
-        counters += band.counters;
-        let rows = assembler.add_band(&band.tiles, band.colors);
-        sink.take(&rows).map_err(RenderError::Sink)?;
-        if let Some(progress) = run.progress {
-            progress.advance(rows.count());
-        }
-        Ok(rows.colors)
-    })?;
-    let mut stats = Stats::of(&counters);
-    stats.seconds.prepare = prepare_seconds;
-    stats.seconds.render = begin.elapsed().as_secs_f64();
-    Ok(stats)
-}
-
-/// Everything that the tiles of a picture have in common.
-pub(crate) struct Job<'a> {
-    pub(crate) scene: &'a PreparedScene,
-    pub(crate) camera: &'a PreparedCamera,
-    pub(crate) grid: &'a SampleGrid,
-    pub(crate) settings: &'a Settings,
-    pub(crate) max_depth: u32,
-    /// How the sink stores colours.
-    pub(crate) transfer: Transfer,
-    /// Only if a perspective image is made.
-    pub(crate) outlines: Option<Outlines>,
-    /// Only for methods that look for what a bundle of rays may meet.
-    pub(crate) spheres: Option<BoundingSpheres>,
-}
-
-/// Renders a tile; `None` if it was broken off. `outlines` are those that reach into it, `rows` its part of the picture's if the filter has no margin.
+/// Renders a tile; `None` if it was broken off. `outlines` are those that reach into it, `rows` its part of the picture's if
+/// the filter has no margin.
 pub(crate) fn render_tile(
     job: &Job,
     worker: &mut TileWorker,
@@ -184,7 +100,8 @@ fn render_again_in_full(job: &Job, worker: &mut TileWorker, tile: &Tile) -> Full
     let margin = filter.margin();
     for y in 0..tile.height {
         let row = (tile.y + y) / job.grid.per_side;
-        if (row.saturating_sub(margin)..=row + margin).any(|row| checked.includes_row(row)) {
+        let is_checked = |row: u32| job.crop.row(row).is_some_and(|row| checked.includes_row(row));
+        if (row.saturating_sub(margin)..=row + margin).any(is_checked) {
             trace_row(worker, tile, y);
         }
     }
