@@ -257,3 +257,136 @@ fn glass_on_a_floor_shows_the_floor() {
         "{holes} pixels look through the floor"
     );
 }
+
+fn rectangle([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], place: fn(Vec3) -> Vec3) -> Shape {
+    let outline = [vec3(x0, y0, 0.0), vec3(x1, y0, 0.0), vec3(x1, y1, 0.0), vec3(x0, y1, 0.0)];
+    Shape::Polygon { outline: outline.map(place).to_vec(), holes: Vec::new() }
+}
+
+fn glowing(name: &str, color: Rgb, opacity: f64) -> Material {
+    Material { ambient: 1.0, diffuse: 0.0, opacity, ..Material::matte(name, color) }
+}
+
+/// A mesh of boxes, faces outward.
+fn mesh_of_boxes(boxes: &[[Vec3; 2]], place: fn(Vec3) -> Vec3) -> Mesh {
+    let mut mesh = Mesh::default();
+    for face in boxes.iter().flat_map(|&[lo, hi]| faces_of_box(lo, hi, place)) {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(face);
+        mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+    }
+    mesh
+}
+
+/// The corner of a tilted box may be the origin itself, whose coordinates do not round.
+#[test]
+fn a_box_with_a_corner_at_the_origin_given_twice_is_one_box() {
+    let mut scene = lit_scene();
+    let material = matte(&mut scene, rgb(0.9, 0.7, 0.5));
+    let mesh = mesh_of_boxes(&[[vec3(0.0, 0.0, 0.0), vec3(0.9, 0.3, 0.5)]], turned);
+    scene.add(Shape::from(mesh.clone()), material);
+    let once = colors(&scene);
+    let mut again = mesh;
+    again.triangles.iter_mut().for_each(|corners| corners.swap(0, 2));
+    scene.add(Shape::from(again), material);
+    assert_eq!(differing_by(1e-3, &colors(&scene), &once), 0);
+}
+
+/// What is partly there does not hide what lies in the same place, whichever the file names first.
+#[test]
+fn behind_a_veil_on_a_wall_the_wall_is_seen() {
+    let (side, wall, veil) = ([-0.9, 0.9], rgb(0.0, 0.8, 0.0), rgb(1.0, 0.0, 0.0));
+    for veil_first in [false, true] {
+        let mut scene = lit_scene();
+        let wall = scene.add_material(glowing("wall", wall, 1.0));
+        let veil = scene.add_material(glowing("veil", veil, 0.25));
+        let mut add = |material| scene.add(rectangle(side, side, turned), material);
+        if veil_first {
+            add(veil);
+            add(wall);
+        } else {
+            add(wall);
+            add(veil);
+        }
+        let seen = colors(&scene);
+        let mixed = |c: &&[f32; 3]| (c[0] - 0.25).abs() < 1e-6 && (c[1] - 0.6).abs() < 1e-6 && c[2] == 0.0;
+        let count = seen.iter().filter(mixed).count();
+        assert!(count > 500, "veil first: {veil_first}: {count} pixels");
+        let background = |c: &&[f32; 3]| c[2] == 0.5;
+        assert_eq!(count + seen.iter().filter(background).count(), seen.len());
+    }
+}
+
+/// Through a veil and the pane in its place no more light comes than through the pane.
+#[test]
+fn a_veil_does_not_take_a_panes_shadow_away() {
+    let under = |names: &str| {
+        let mut scene = lit_scene();
+        scene.lights.truncate(1);
+        let floor = matte(&mut scene, rgb(0.9, 0.9, 0.9));
+        scene.add(Shape::Plane { normal: vec3(0.0, 1.0, 0.0), distance: -1.0 }, floor);
+        let level = |p: Vec3| vec3(p.x, 1.0, p.y);
+        for name in names.chars() {
+            let material = match name {
+                'p' => Material { transmission: 0.5, ..Material::matte("pane", rgb(0.5, 0.5, 0.5)) },
+                _ => glowing("veil", rgb(1.0, 0.0, 0.0), 0.3),
+            };
+            let material = scene.add_material(material);
+            scene.add(rectangle([-2.0, 2.0], [-2.0, 2.0], level), material);
+        }
+        colors(&scene)[60 * 100 + 50]
+    };
+    assert_eq!(under("p"), under("pv"));
+    assert_eq!(under("pv"), under("vp"));
+    assert!(under("v")[1] > under("p")[1]);
+}
+
+/// Two solids that touch are usually one mesh of a file.
+#[test]
+fn glass_that_touches_glass_in_one_mesh_is_as_in_two() {
+    let (lo, hi) = (vec3(-1.0, -0.5, -0.6), vec3(1.2, 0.6, 0.7));
+    let boxes = [[lo, vec3(0.25, hi.y, hi.z)], [vec3(0.25, lo.y, lo.z), hi]];
+    let picture = |meshes: &[&[[Vec3; 2]]]| {
+        let mut scene = lit_scene();
+        checkered_floor(&mut scene);
+        let glass = glass(&mut scene, 1.5);
+        meshes.iter().for_each(|boxes| scene.add(Shape::from(mesh_of_boxes(boxes, |p| p)), glass));
+        scene.max_depth = 12;
+        colors(&scene)
+    };
+    assert_eq!(differing(&picture(&[&boxes]), &picture(&[&boxes[..1], &boxes[1..]])), 0);
+}
+
+/// A plate of triangles whose corners are rounded off its plane: none lies on the plane of another, and there are many.
+#[test]
+fn many_faces_almost_in_one_plane_are_prepared_in_time_that_grows_with_their_number() {
+    let seconds = |side: u32| {
+        let mut mesh = Mesh::default();
+        let rounded = |p: Vec3| {
+            let digits = |x: f64| (x * 1e12).round() / 1e12;
+            vec3(digits(p.x), digits(p.y), digits(p.z))
+        };
+        for (i, j) in (0..=side).flat_map(|i| (0..=side).map(move |j| (i, j))) {
+            let share = |i: u32| f64::from(i) / f64::from(side);
+            mesh.positions.push(rounded(turned(vec3(share(i), share(j), 0.0))));
+        }
+        for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
+            let at = |i: u32, j: u32| i * (side + 1) + j;
+            mesh.triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            mesh.triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+        let mut scene = lit_scene();
+        let material = matte(&mut scene, rgb(0.9, 0.7, 0.5));
+        scene.add(Shape::from(mesh), material);
+        let scene = checked(&scene);
+        let begin = std::time::Instant::now();
+        assert_eq!(
+            Renderer::new(scene).prepared(Accelerator::None).primitive_count() as u32,
+            2 * side * side
+        );
+        begin.elapsed().as_secs_f64()
+    };
+    // 16 times as many: 256 times as long if all are compared with all. Between the two lies what other programs may do.
+    let [few, many] = [seconds(60), seconds(240)];
+    assert!(many < 80.0 * few.max(0.003), "{few} and {many} s");
+}

@@ -49,6 +49,7 @@ promises_hold_for! {
     of_tiny_things_that_throw_shadows: Shadow,
     of_things_that_coincide_or_touch: Coincident,
     of_scenes_far_from_the_origin: Offset,
+    of_needles: Long,
     of_anything_at_any_scale: Mixed,
 }
 

@@ -27,13 +27,6 @@ impl Cone {
         let axis = self.axis.lift::<R>();
         let slope = R::constant(self.slope);
         let from_base = ray.origin - self.base.lift();
-        // Counted from where the ray is nearest to the base, unless it starts on the cone: of a cone far away the terms of the
-        // quadratic are else differences of numbers that are all rounding, as those of a sphere are.
-        let skipped = match start {
-            Start::OnPrimitive => R::constant(0.0),
-            Start::Elsewhere => -from_base.dot(ray.direction) * ray.inv_dd,
-        };
-        let from_base = from_base + ray.direction * skipped;
         let (height, climb) = (from_base.dot(axis), ray.direction.dot(axis));
         let across = ray.direction - axis * climb;
         let from_axis = from_base - axis * height;
@@ -42,6 +35,15 @@ impl Cone {
         let a = spread - steepness;
         // Rays along the axis of what is nearly a cylinder miss, as they miss a cylinder.
         let crosses = (spread + steepness).gt(R::constant(LEAST_SINE * LEAST_SINE) * ray.dd);
+        // Counted from where the distance from the axis and the radius, as one vector, are least: both are then no more than
+        // √2 times the radius where the cone is met, so that the quadratic rounds by as much. Counted from the ray's start, or
+        // from near the base, it would round by the square of the way from there to the hit, and tips would look thick.
+        let skipped = match start {
+            Start::OnPrimitive => R::constant(0.0),
+            Start::Elsewhere => -(from_axis.dot(across) + radius * widening) / (spread + steepness),
+        };
+        let (from_axis, radius) = (from_axis + across * skipped, radius + widening * skipped);
+        let height = height + climb * skipped;
         let b = from_axis.dot(across) - radius * widening;
         let zero = R::constant(0.0);
         // Between its ends the radius is not negative, so the other nappe never counts.

@@ -147,7 +147,9 @@ fn outline_of(id: u32, primitive: &Primitive, camera: &PreparedCamera, grid: &Sa
     if hull.is_empty() {
         return Some(anywhere);
     }
-    let seen: Vec<Seen> = hull.iter().map(|&p| Seen::new(p, camera)).collect();
+    // Hits of what reaches far away round by a share of that, also where it is near.
+    let reach = hull.iter().map(|&p| size(p - camera.eye) + size(p)).fold(size(camera.eye), f64::max);
+    let seen: Vec<Seen> = hull.iter().map(|&p| Seen::new(p, reach, camera)).collect();
     if !seen.iter().all(Seen::is_known) {
         return Some(anywhere);
     }
@@ -169,6 +171,10 @@ fn outline_of(id: u32, primitive: &Primitive, camera: &PreparedCamera, grid: &Sa
     Some(Outline { x: span(0)?, y: span(1)?, nearest: nearest.max(0.0), ..anywhere })
 }
 
+fn size(v: Vec3) -> f64 {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}
+
 /// A point in the camera's coordinates.
 struct Seen {
     right: f64,
@@ -184,14 +190,14 @@ impl Seen {
         [self.right, self.down, self.depth, self.margin].iter().all(|x| x.abs() < f64::INFINITY)
     }
 
-    fn new(point: Vec3, camera: &PreparedCamera) -> Self {
+    /// `reach` is the greatest coordinate, by whatever it is counted, that where the primitive is met depends on.
+    fn new(point: Vec3, reach: f64, camera: &PreparedCamera) -> Self {
         let p = point - camera.eye;
-        let size = |v: Vec3| v.x.abs() + v.y.abs() + v.z.abs();
         Self {
             right: p.dot(camera.right),
             down: -p.dot(camera.up),
             depth: p.dot(camera.forward),
-            margin: PROJECTION_MARGIN * size(p) + COORDINATE_ROUNDING * (size(point) + size(camera.eye)),
+            margin: PROJECTION_MARGIN * size(p) + COORDINATE_ROUNDING * reach,
         }
     }
 

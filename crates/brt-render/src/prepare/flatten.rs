@@ -49,14 +49,17 @@ pub(super) struct Owner {
 }
 
 impl Flattened {
-    /// What ends the view comes before what lets it through: of primitives that are met at one distance the first counts,
-    /// and glass that stands on a floor is not to hide the floor.
+    /// Of primitives that lie upon each other the first counts. So what is only partly there comes first, for the others are
+    /// seen behind it; then what ends the view, and glass last: where it stands on a floor it is not to hide the floor.
     pub(super) fn of(scene: &Scene, origin: Vec3, materials: &[PreparedMaterial]) -> Self {
         let mut flat = Self { origin, ..Self::default() };
-        let lets_view_through = |object: &&Object| !materials[object.material.0 as usize].ends_view();
-        let (through, opaque): (Vec<_>, Vec<_>) =
-            scene.objects.iter().enumerate().partition(|(_, object)| lets_view_through(object));
-        for (index, object) in opaque.into_iter().chain(through) {
+        let rank = |object: &Object| {
+            let material = &materials[object.material.0 as usize];
+            (!material.dims(), !material.ends_view())
+        };
+        let mut objects: Vec<(usize, &Object)> = scene.objects.iter().enumerate().collect();
+        objects.sort_by_key(|(_, object)| rank(object));
+        for (index, object) in objects {
             let material = &scene.materials[object.material.0 as usize];
             let owner = Owner {
                 object: index,

@@ -16,7 +16,7 @@ use crate::products::{
     Beam, PreparedChecker, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo,
 };
 use crate::settings::Accelerator;
-use coincident::{contacts, duplicates, share_carriers};
+use coincident::{contacts, duplicates, layered, share_carriers};
 use flatten::Flattened;
 use origin::origin_of;
 
@@ -33,7 +33,8 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
     let mut carriers = share_carriers(&mut flat.primitives, &bounds);
     flat.remove(&duplicates(&flat.primitives, &flat.infos, &carriers, &materials), &mut carriers);
     let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } = flat;
-    let contacts = contacts(&primitives, &infos, &carriers, &surfaces, &materials);
+    let contacts = contacts(&primitives, &infos, &carriers, &materials);
+    let layered = layered(&infos, &carriers, &materials);
     let dims = |info: &PrimitiveInfo| info.casts_shadow && materials[info.material as usize].dims();
     let has_dimmers = infos.iter().any(dims);
     let mut boxes = Vec::with_capacity(primitives.len());
@@ -62,6 +63,7 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
         origin,
         carriers,
         contacts,
+        layered,
         primitives,
         infos,
         surfaces,

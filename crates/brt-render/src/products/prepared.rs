@@ -9,14 +9,17 @@ use super::{Carrier, PreparedTexture};
 /// A scene flattened to primitives, with an index over them.
 #[derive(Clone, Debug)]
 pub struct PreparedScene {
-    /// In the order of the scene's objects; the index is the primitive's id. Of equally near hits the lowest wins.
+    /// Those of objects that are partly there first, then what ends the view, then glass; each in the order of the scene. The
+    /// index is the primitive's id. Of equally near hits the lowest wins.
     pub(crate) primitives: Vec<Primitive>,
     /// One for each primitive.
     pub(crate) infos: Vec<PrimitiveInfo>,
     /// One for each primitive.
     pub(crate) carriers: Vec<Carrier>,
-    /// Planes on which faces of several transparent objects lie, in their order.
+    /// Planes on which faces of glass lie that look to both sides, in their order.
     pub(crate) contacts: Vec<Carrier>,
+    /// Carriers of several primitives of which one is only partly there, in their order.
+    pub(crate) layered: Vec<Carrier>,
     /// What may be interpolated across.
     pub(crate) surfaces: Vec<Surface>,
     /// Shading normals of smooth triangles.

@@ -1,6 +1,6 @@
 //! The oracle: Whitted's recursion (1980) as plainly as it can be written. Never optimised.
 
-use brt_geometry::Ray;
+use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::MOST_RAYS_PER_SAMPLE;
@@ -32,8 +32,9 @@ fn color_along(
 ) -> (Rgb, f64) {
     let (mut ray, mut from) = (*ray, from);
     let (mut color, mut share) = (Rgb::BLACK, 1.0);
+    let mut next = nearest(scene, &ray, from, f64::INFINITY, |_| true);
     loop {
-        let Some(met) = nearest(scene, &ray, from, f64::INFINITY, |_| true) else {
+        let Some(met) = next else {
             return (color + background * share, share);
         };
         let here = Interaction::at(scene, &ray, met.primitive, met.t);
@@ -44,7 +45,11 @@ fn color_along(
             return (color, 0.0);
         }
         *rays_left -= 1;
-        (ray, from) = (Ray::new(here.point, ray.direction), here.carrier);
+        next = next_in_place(scene, &ray, from, met, |_| true);
+        if next.is_none() {
+            (ray, from) = (Ray::new(here.point, ray.direction), here.carrier);
+            next = nearest(scene, &ray, from, f64::INFINITY, |_| true);
+        }
     }
 }
 
@@ -106,18 +111,36 @@ fn light_from(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) 
 fn share_of_light(scene: &PreparedScene, light: &PreparedLight, here: &Interaction) -> f64 {
     let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
     let mut share = 1.0;
-    let (mut point, mut from) = (here.point, here.carrier);
+    let to_light = |point: Vec3| Ray::new(point, light.way_from(point).0);
+    let (mut ray, mut from) = (to_light(here.point), here.carrier);
+    let mut next = nearest(scene, &ray, from, light.way_from(ray.origin).1, casts_shadow);
     for _ in 0..MOST_CROSSED {
-        let (towards, t_max) = light.way_from(point);
-        let ray = Ray::new(point, towards);
-        let Some(met) = nearest(scene, &ray, from, t_max, casts_shadow) else { return share };
+        let Some(met) = next else { return share };
         share *= 1.0 - opacity_at(scene, &ray, met.primitive);
         if share == 0.0 {
             return 0.0;
         }
-        (point, from) = (ray.at(met.t), scene.carrier(met.primitive));
+        next = next_in_place(scene, &ray, from, met, casts_shadow);
+        if next.is_none() {
+            (ray, from) = (to_light(ray.at(met.t)), scene.carrier(met.primitive));
+            next = nearest(scene, &ray, from, light.way_from(ray.origin).1, casts_shadow);
+        }
     }
     0.0
+}
+
+/// Of primitives that lie upon each other the next that a ray meets where it has met one: after it has left their carrier it
+/// meets none of them any more.
+fn next_in_place(
+    scene: &PreparedScene,
+    ray: &Ray,
+    from: Carrier,
+    met: Met,
+    counts: impl Fn(u32) -> bool,
+) -> Option<Met> {
+    let carrier = scene.carrier(met.primitive);
+    let comes_next = |id: u32| id > met.primitive && scene.carrier(id) == carrier && counts(id);
+    nearest(scene, ray, from, f64::INFINITY, comes_next).filter(|next| next.t == met.t)
 }
 
 fn nearest(

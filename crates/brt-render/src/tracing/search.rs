@@ -35,6 +35,20 @@ impl Met {
     }
 }
 
+/// A ray and what it left, on which it starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leg {
+    pub(crate) ray: Ray,
+    pub(crate) from: Carrier,
+}
+
+impl Leg {
+    /// Straight on from where this one has met something.
+    pub(crate) fn beyond(&self, scene: &PreparedScene, met: Met) -> Self {
+        Self { ray: Ray::new(self.ray.at(met.t), self.ray.direction), from: scene.carrier(met.primitive) }
+    }
+}
+
 /// Searches primitives along rays.
 pub(crate) struct Search<'a> {
     scene: &'a PreparedScene,
@@ -106,6 +120,18 @@ impl<'a> Search<'a> {
     /// The nearest of the primitives that pass ahead of a ray that leaves nothing.
     pub(crate) fn closest_that(&mut self, ray: &Ray, passes: impl Fn(u32) -> bool) -> Option<Met> {
         self.nearest(ray, Carrier::NOWHERE, f64::INFINITY, passes)
+    }
+
+    /// Of primitives that lie upon each other the next that the ray meets where it has met one, if it passes.
+    ///
+    /// A ray that has left a carrier meets nothing on it any more: this is how it gets from one of those that are partly
+    /// there to the next.
+    pub(crate) fn next_in_place(&mut self, leg: &Leg, met: Met, passes: impl Fn(u32) -> bool) -> Option<Met> {
+        let scene = self.scene;
+        let carrier = scene.carrier(met.primitive);
+        scene.layered.binary_search(&carrier).ok()?;
+        let comes_next = |id: u32| id > met.primitive && scene.carrier(id) == carrier && passes(id);
+        self.nearest(&leg.ray, leg.from, met.t.next_up(), comes_next).filter(|next| next.t == met.t)
     }
 
     /// The nearest primitive before `t_max` that casts shadows, on a ray that leaves `from`.

@@ -2,13 +2,14 @@
 //!
 //! A ray goes straight on behind such a surface without counting as a bounce. So does light on its way: each surface that
 //! it crosses takes its share, near ones first, so that the product does not depend on how they are found. A ball is
-//! crossed twice.
+//! crossed twice. Of surfaces that lie upon each other one is crossed after the other.
 
 use brt_geometry::{Ray, Vec3};
 use brt_image::Rgb;
 
 use super::guide::Unguided;
 use super::interaction::{Interaction, opacity_at};
+use super::search::{Leg, Met};
 use super::tracer::Tracer;
 use crate::products::{Carrier, NOTHING, PreparedLight, Step};
 use crate::settings::{Backdrop, HistoryKind};
@@ -20,27 +21,29 @@ impl Tracer<'_> {
     /// The colour of a surface and of what is seen through it.
     pub(super) fn with_what_is_behind(
         &mut self,
-        front: Rgb,
-        ray: &Ray,
-        here: &Interaction,
+        (front, opacity): (Rgb, f64),
+        leg: &Leg,
+        met: Met,
         bounces_left: u32,
         backdrop: Backdrop,
     ) -> Rgb {
-        let mut color = front * here.opacity;
-        let mut share = 1.0 - here.opacity;
-        let (mut point, mut from) = (here.point, here.carrier);
+        let (mut color, mut share) = (front * opacity, 1.0 - opacity);
+        let (mut leg, mut met) = (*leg, met);
         while share > 0.0 && self.may_follow() {
-            self.counters.rays.refracted += 1;
-            let ray = Ray::new(point, ray.direction);
-            let Some(met) = self.search.closest(&ray, from) else {
+            let next = self.search.next_in_place(&leg, met, |_| true).or_else(|| {
+                self.counters.rays.refracted += 1;
+                leg = leg.beyond(self.scene, met);
+                self.search.closest(&leg.ray, leg.from)
+            });
+            let Some(next) = next else {
                 self.history.push(Step::Background);
                 return color + self.behind(backdrop, share);
             };
-            let here = Interaction::at(self.scene, &ray, met.primitive, met.t);
-            let layer = self.surface_color(&ray, &here, bounces_left, Unguided);
+            met = next;
+            let here = Interaction::at(self.scene, &leg.ray, met.primitive, met.t);
+            let layer = self.surface_color(&leg.ray, &here, bounces_left, Unguided);
             color = color + layer * (share * here.opacity);
             share *= 1.0 - here.opacity;
-            (point, from) = (here.point, here.carrier);
         }
         color
     }
@@ -49,22 +52,31 @@ impl Tracer<'_> {
     pub(super) fn share_of_light(
         &mut self,
         light: &PreparedLight,
-        mut point: Vec3,
-        mut from: Carrier,
+        point: Vec3,
+        from: Carrier,
     ) -> Result<f64, u32> {
+        let scene = self.scene;
         let mut share = 1.0;
+        let (mut leg, mut crossed) = (Leg { ray: Ray::new(point, light.way_from(point).0), from }, None);
         for _ in 0..MOST_CROSSED {
-            let (towards, t_max) = light.way_from(point);
-            let ray = Ray::new(point, towards);
-            self.counters.rays.shadow += 1;
-            let Some(met) = self.search.shadower(&ray, from, t_max) else { return Ok(share) };
-            let surface = self.scene.infos[met.primitive as usize].surface;
-            share *= 1.0 - opacity_at(self.scene, &ray, met.primitive);
+            let casts_shadow = |id: u32| scene.infos[id as usize].casts_shadow;
+            let in_place = crossed.and_then(|met| self.search.next_in_place(&leg, met, casts_shadow));
+            let next = in_place.or_else(|| {
+                if let Some(met) = crossed {
+                    let Leg { ray, from } = leg.beyond(scene, met);
+                    leg = Leg { ray: Ray::new(ray.origin, light.way_from(ray.origin).0), from };
+                }
+                self.counters.rays.shadow += 1;
+                self.search.shadower(&leg.ray, leg.from, light.way_from(leg.ray.origin).1)
+            });
+            let Some(met) = next else { return Ok(share) };
+            let surface = scene.infos[met.primitive as usize].surface;
+            share *= 1.0 - opacity_at(scene, &leg.ray, met.primitive);
             if share == 0.0 {
                 return Err(surface);
             }
             self.history.push(Step::Crossed(surface));
-            (point, from) = (ray.at(met.t), self.scene.carrier(met.primitive));
+            crossed = Some(met);
         }
         Err(NOTHING)
     }

@@ -9,7 +9,7 @@ use super::contact::refraction_ratio;
 use super::guide::{Guide, Lighting, Sight, Unguided};
 use super::illumination::{Directions, mirrored, reflected_light, refracted};
 use super::interaction::Interaction;
-use super::search::{Met, Search};
+use super::search::{Leg, Met, Search};
 use crate::products::Step;
 use crate::products::{Carrier, Counters, NOTHING, PreparedLight, PreparedScene, RayHistory};
 use crate::settings::{Backdrop, HistoryKind};
@@ -98,7 +98,8 @@ impl<'a> Tracer<'a> {
         guide: impl Guide,
     ) -> (Rgb, f32) {
         self.open_share = 0.0;
-        let color = self.color_of(ray, met, bounces_left, self.backdrop, guide);
+        let leg = Leg { ray: *ray, from: Carrier::NOWHERE };
+        let color = self.color_of(&leg, met, bounces_left, self.backdrop, guide);
         (color, (1.0 - self.open_share) as f32)
     }
 
@@ -139,7 +140,7 @@ impl<'a> Tracer<'a> {
     /// The colour of a ray from what it meets on, given what is known of it; the backdrop is what it sees behind everything.
     pub(super) fn color_of(
         &mut self,
-        ray: &Ray,
+        leg: &Leg,
         met: Option<Met>,
         bounces_left: u32,
         backdrop: Backdrop,
@@ -149,12 +150,12 @@ impl<'a> Tracer<'a> {
             self.history.push(Step::Background);
             return self.behind(backdrop, 1.0);
         };
-        let here = Interaction::at(self.scene, ray, met.primitive, met.t);
-        let color = self.surface_color(ray, &here, bounces_left, guide);
+        let here = Interaction::at(self.scene, &leg.ray, met.primitive, met.t);
+        let color = self.surface_color(&leg.ray, &here, bounces_left, guide);
         if here.opacity == 1.0 {
             return color;
         }
-        self.with_what_is_behind(color, ray, &here, bounces_left, backdrop)
+        self.with_what_is_behind((color, here.opacity), leg, met, bounces_left, backdrop)
     }
 
     /// The colour of a surface where a ray meets it.
@@ -213,13 +214,15 @@ impl<'a> Tracer<'a> {
             self.counters.rays.mirror += 1;
             let ray = Ray::new(here.point, mirrored(ray.direction, here.normal));
             let met = self.seen(&ray, here.carrier, guide.mirrored());
-            color = color + self.color_of(&ray, met, left, Backdrop::Scene, guide.next()) * mirror_share;
+            let leg = Leg { ray, from: here.carrier };
+            color = color + self.color_of(&leg, met, left, Backdrop::Scene, guide.next()) * mirror_share;
         }
         if let Some(ray) = through.filter(|_| self.may_follow()) {
             self.counters.rays.refracted += 1;
-            let met = self.search.closest(&ray, here.carrier);
+            let leg = Leg { ray, from: here.carrier };
+            let met = self.search.closest(&leg.ray, leg.from);
             color = color
-                + self.color_of(&ray, met, left, Backdrop::Scene, Unguided) * here.material.transmission;
+                + self.color_of(&leg, met, left, Backdrop::Scene, Unguided) * here.material.transmission;
         }
         color
     }

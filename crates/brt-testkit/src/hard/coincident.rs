@@ -27,8 +27,8 @@ pub(super) fn coincident(choices: &mut Choices) -> Scene {
 pub(super) fn doubled(choices: &mut Choices) -> [Scene; 2] {
     let mut once = viewed(choices);
     for _ in 0..=choices.below(3) {
-        let (center, material) = (choices.point(1.0), materials::opaque(choices));
-        let shape = things::any(choices, center, 0.7);
+        let material = materials::opaque(choices);
+        let shape = if choices.one_in(4) { cornered(choices) } else { anywhere(choices) };
         add(&mut once, shape, material);
     }
     far::add_light(choices, &mut once);
@@ -39,6 +39,17 @@ pub(super) fn doubled(choices: &mut Choices) -> [Scene; 2] {
         twice.objects.push(Object::new(again(choices, &object.shape), object.material));
     }
     [once, twice]
+}
+
+fn anywhere(choices: &mut Choices) -> Shape {
+    let center = choices.point(1.0);
+    things::any(choices, center, 0.7)
+}
+
+/// A box that has a corner at the origin, as many programs make them.
+fn cornered(choices: &mut Choices) -> Shape {
+    let half = vec3(0.5, choices.pick(&[0.5, 0.3, 0.01]), 0.25);
+    things::cuboid(half, half)
 }
 
 /// Seen from a few units away.
@@ -85,7 +96,7 @@ fn touching(choices: &mut Choices) -> Vec<Shape> {
     let step = choices.pick(&[0.5, 1.0, 0.25]);
     let along = vec3(choices.pick(&[1.0, 0.0, 0.5]), choices.pick(&[0.0, 1.0]), 0.0) * step;
     let pair = |shape: fn(Vec3) -> Shape| vec![shape(center), shape(center + along)];
-    match choices.below(9) {
+    match choices.below(11) {
         // The same once more.
         0 => {
             let shape = things::any(choices, center, 0.7);
@@ -118,12 +129,31 @@ fn touching(choices: &mut Choices) -> Vec<Shape> {
                 Shape::Cylinder { base: center, top, radius, capped: true },
             ]
         }
+        // Boxes with corners at the origin, the one on the other.
+        8 => {
+            let (below, above) = (cornered(choices), cornered(choices));
+            vec![below, above]
+        }
+        // Two solids that touch, in one mesh.
+        9 => vec![joined(&[center, center + along].map(|center| things::cuboid(center, Vec3::splat(0.5))))],
         // A lens: a ball cut by a box's face, and a disc where they meet.
         _ => {
             let disc = Shape::Disc { center, normal: choices.direction(), radius: 0.5 };
             vec![Shape::Sphere { center, radius: 0.5 }, disc]
         }
     }
+}
+
+/// Meshes as one.
+fn joined(shapes: &[Shape]) -> Shape {
+    let mut all = Mesh::default();
+    for shape in shapes {
+        let Shape::Mesh(mesh) = shape else { continue };
+        let first = all.positions.len() as u32;
+        all.positions.extend(&mesh.positions);
+        all.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| first + i)));
+    }
+    Shape::from(all)
 }
 
 fn square(center: Vec3) -> Shape {

@@ -6,6 +6,7 @@
 mod choices;
 mod coincident;
 mod far;
+mod long;
 mod materials;
 mod things;
 
@@ -32,14 +33,16 @@ pub enum HardKind {
     Coincident,
     /// A scene up to 10¹³ of its sizes from the origin.
     Offset,
+    /// Needles: cones and cylinders up to a million times as long as they are wide.
+    Long,
     /// Anything anywhere, at any scale, by any camera.
     Mixed,
 }
 
 impl HardKind {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Tiny, Self::Mirrored, Self::Shadow, Self::Coincident, Self::Offset, Self::Mixed];
+    pub const ALL: [Self; 7] =
+        [Self::Tiny, Self::Mirrored, Self::Shadow, Self::Coincident, Self::Offset, Self::Long, Self::Mixed];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -49,6 +52,7 @@ impl HardKind {
             Self::Shadow => "shadow",
             Self::Coincident => "coincident",
             Self::Offset => "offset",
+            Self::Long => "long",
             Self::Mixed => "mixed",
         }
     }
@@ -77,6 +81,7 @@ pub fn hard_scene(kind: HardKind, choices: &mut Choices) -> Option<Scene> {
             };
             return moved(choices, &scene, 1e13);
         }
+        HardKind::Long => long::long(choices),
         HardKind::Mixed => mixed(choices),
     };
     moved(choices, &scene, 1e3)

@@ -19,8 +19,9 @@ enum Part {
 
 /// For each primitive: is it one that came before, once more, so that nothing can be seen of it?
 ///
-/// Not if it hides light where the first does not. Nor if both are faces of glass that look to opposite sides: there glass
-/// touches glass.
+/// Nothing is seen of it if the other ends the view, or is of the same material: given twice, a veil is no denser. But it counts
+/// if it hides light where the other does not, and if both are faces of glass that look to opposite sides: there glass touches
+/// glass.
 pub(in crate::prepare) fn duplicates(
     primitives: &[Primitive],
     infos: &[PrimitiveInfo],
@@ -29,17 +30,26 @@ pub(in crate::prepare) fn duplicates(
 ) -> Vec<bool> {
     let mut users: HashMap<Carrier, u32> = HashMap::with_capacity(primitives.len());
     carriers.iter().for_each(|carrier| *users.entry(*carrier).or_default() += 1);
-    let mut first_of: HashMap<(Carrier, Part), usize> = HashMap::new();
+    let stands_for = |other: usize, id: usize| {
+        let hides_more = infos[id].casts_shadow && !infos[other].casts_shadow;
+        let material = &materials[infos[other].material as usize];
+        let is_contact = material.transmission > 0.0 && looks_away(&primitives[other], &primitives[id]);
+        // What is interpolated between corners may differ: a mask whose holes are elsewhere.
+        let is_same =
+            infos[id].material == infos[other].material && infos[id].is_plain() && infos[other].is_plain();
+        (is_same || material.ends_view()) && !hides_more && !is_contact
+    };
+    let mut kept: HashMap<(Carrier, Part), Vec<usize>> = HashMap::new();
     let mut is_duplicate = vec![false; primitives.len()];
     for (id, (primitive, carrier)) in primitives.iter().zip(carriers).enumerate() {
         if users[carrier] == 1 {
             continue;
         }
-        let first = *first_of.entry((*carrier, part_of(primitive))).or_insert(id);
-        let hides_more = infos[id].casts_shadow && !infos[first].casts_shadow;
-        let ends_view = materials[infos[first].material as usize].ends_view();
-        let is_contact = !ends_view && looks_away(&primitives[first], primitive);
-        is_duplicate[id] = first != id && !hides_more && !is_contact;
+        let others = kept.entry((*carrier, part_of(primitive))).or_default();
+        is_duplicate[id] = others.iter().any(|&other| stands_for(other, id));
+        if !is_duplicate[id] {
+            others.push(id);
+        }
     }
     is_duplicate
 }

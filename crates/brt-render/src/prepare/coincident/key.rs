@@ -9,6 +9,9 @@ const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// farther away: slivers would be compared with everything.
 const WORST: f64 = 1e-8;
 
+/// By how much of its radius the place of something round is moved: concentric ones have places of their own.
+const BY_RADIUS: Vec3 = Vec3 { x: 0.3, y: 0.5, z: 0.7 };
+
 /// A primitive's place among all others.
 pub(super) struct Key {
     /// The same for all primitives on one carrier, but for an error.
@@ -45,9 +48,15 @@ impl View {
     /// size by which the carrier is known.
     fn place_of(&self, primitive: &Primitive) -> (Vec3, f64, f64) {
         match primitive {
-            Primitive::Sphere(ball) => (ball.center + vec3(0.3, 0.5, 0.7) * ball.radius, 0.0, ball.radius),
-            Primitive::Cylinder(side) => self.foot_on_axis(side.base, side.axis, side.high - side.low),
-            Primitive::Cone(side) => self.foot_on_axis(side.base, side.axis, side.high - side.low),
+            Primitive::Sphere(ball) => (ball.center + BY_RADIUS * ball.radius, 0.0, ball.radius),
+            Primitive::Cylinder(side) => {
+                let foot = self.foot_on_axis(side.base, side.axis, [side.low, side.high]);
+                foot.with_radius(side.radius, 0.0)
+            }
+            Primitive::Cone(side) => {
+                let foot = self.foot_on_axis(side.base, side.axis, [side.low, side.high]);
+                foot.with_radius(side.base_radius + side.slope * foot.height, side.slope)
+            }
             Primitive::Plane(plane) => (
                 self.from + plane.normal * (plane.distance - plane.normal.dot(self.from)),
                 0.0,
@@ -78,10 +87,33 @@ impl View {
     }
 
     /// The point of an axis that is nearest to the view.
-    fn foot_on_axis(&self, base: Vec3, axis: Vec3, height: f64) -> (Vec3, f64, f64) {
-        let along = axis.dot(self.from - base);
-        let tilt = ROUNDINGS * reach(&[base]) / height;
-        (base + axis * along, tilt * along.abs() + tilt * (base - self.from).length(), height)
+    fn foot_on_axis(&self, base: Vec3, axis: Vec3, [low, high]: [f64; 2]) -> Foot {
+        let (height, length) = (axis.dot(self.from - base), high - low);
+        let tilt = ROUNDINGS * (reach(&[base]) + low.abs() + high.abs()) / length;
+        let error = tilt * (height.abs() + (base - self.from).length());
+        Foot { place: base + axis * height, height, error, length }
+    }
+}
+
+/// The point of an axis that is nearest to the view.
+struct Foot {
+    place: Vec3,
+    /// Above the base.
+    height: f64,
+    error: f64,
+    /// Of the primitive along the axis.
+    length: f64,
+}
+
+impl Foot {
+    /// On one axis the radius there tells carriers apart.
+    fn with_radius(&self, radius: f64, slope: f64) -> (Vec3, f64, f64) {
+        // The slope is a difference of radii over the length, the foot as far away as it is.
+        let of_radius = ROUNDINGS
+            * (radius.abs() + slope.abs() * self.height.abs())
+            * (1.0 + self.height.abs() / self.length);
+        let error = self.error * (1.0 + slope.abs()) + of_radius;
+        (self.place + BY_RADIUS * radius, error, self.length)
     }
 }
 
@@ -90,8 +122,9 @@ pub(super) fn reach(points: &[Vec3]) -> f64 {
     points.iter().map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs())).fold(0.0, f64::max)
 }
 
-/// Runs of sorted keys whose numbers may be the same but for their errors; alone is no run.
+/// Runs of keys whose numbers may be the same but for their errors; alone is no run.
 pub(super) fn runs(keys: &mut [Key]) -> impl Iterator<Item = &mut [Key]> {
+    keys.sort_unstable_by(|a, b| (a.number - a.error).total_cmp(&(b.number - b.error)).then(a.id.cmp(&b.id)));
     let mut rest = keys;
     std::iter::from_fn(move || {
         loop {
@@ -122,9 +155,13 @@ mod tests {
     #[test]
     fn runs_hold_what_may_be_the_same() {
         let key = |id: u32, number: f64, error: f64| Key { number, error, size: 1.0, id };
-        let mut keys =
-            [key(0, 1.0, 0.1), key(1, 2.0, 0.3), key(2, 2.4, 0.2), key(3, 2.55, 0.0), key(4, 9.0, 0.1)];
-        let runs: Vec<Vec<u32>> = runs(&mut keys).map(|run| run.iter().map(|k| k.id).collect()).collect();
-        assert_eq!(runs, [[1, 2, 3]]);
+        let runs_of = |mut keys: Vec<Key>| -> Vec<Vec<u32>> {
+            runs(&mut keys).map(|run| run.iter().map(|k| k.id).collect()).collect()
+        };
+        let keys =
+            vec![key(0, 1.0, 0.1), key(1, 2.0, 0.3), key(2, 2.4, 0.2), key(3, 2.55, 0.0), key(4, 9.0, 0.1)];
+        assert_eq!(runs_of(keys), [[1, 2, 3]]);
+        // One whose error reaches over its neighbours.
+        assert_eq!(runs_of(vec![key(0, 1.0, 0.0), key(1, 1.1, 0.0), key(2, 1.2, 0.5)]), [[2, 0, 1]]);
     }
 }

@@ -10,41 +10,51 @@ mod duplicates;
 mod key;
 mod shared;
 
-use brt_geometry::{Aabb, Primitive};
+use brt_geometry::{Aabb, Primitive, Vec3};
 
 pub(super) use duplicates::duplicates;
 
-use crate::products::{Carrier, PreparedMaterial, PrimitiveInfo, Surface};
+use crate::products::{Carrier, PreparedMaterial, PrimitiveInfo};
 
 /// Gives primitives that coincide the same carrier: returns one for each primitive. `bounds` is around all that have a box.
 pub(super) fn share_carriers(primitives: &mut [Primitive], bounds: &Aabb) -> Vec<Carrier> {
     let mut carriers: Vec<Carrier> = (0..primitives.len() as u32).map(Carrier::new).collect();
     let mut keys = key::keys(primitives, bounds);
-    keys.sort_unstable_by(|a, b| a.number.total_cmp(&b.number).then(a.id.cmp(&b.id)));
     for run in key::runs(&mut keys) {
         shared::share(run, primitives, &mut carriers);
     }
     carriers
 }
 
-/// The planes on which faces of several transparent objects lie: light goes from one into the other.
+/// The planes on which faces of glass lie that look to both sides: light may go from one solid into another, whether they
+/// are two objects or parts of one mesh.
 pub(super) fn contacts(
     primitives: &[Primitive],
     infos: &[PrimitiveInfo],
     carriers: &[Carrier],
-    surfaces: &[Surface],
     materials: &[PreparedMaterial],
 ) -> Vec<Carrier> {
-    let is_refracting =
-        |id: &usize| primitives[*id].is_flat() && materials[infos[*id].material as usize].transmission > 0.0;
-    let object_of = |id: usize| surfaces[infos[id].surface as usize].object;
-    let faces = (0..primitives.len()).filter(is_refracting);
-    let mut faces: Vec<(Carrier, usize)> = faces.map(|id| (carriers[id], object_of(id))).collect();
-    faces.sort_unstable();
-    faces.dedup();
-    faces
-        .chunk_by(|a, b| a.0 == b.0)
-        .filter(|objects| objects.len() > 1)
-        .map(|objects| objects[0].0)
-        .collect()
+    let is_glass = |id: &usize| materials[infos[*id].material as usize].transmission > 0.0;
+    let face = |id: usize| Some((carriers[id], primitives[id].plane()?.normal));
+    let mut faces: Vec<(Carrier, Vec3)> = (0..primitives.len()).filter(is_glass).filter_map(face).collect();
+    faces.sort_unstable_by_key(|face| face.0);
+    let looks_both_ways = |faces: &&[(Carrier, Vec3)]| faces.iter().any(|f| f.1.dot(faces[0].1) < 0.0);
+    faces.chunk_by(|a, b| a.0 == b.0).filter(looks_both_ways).map(|faces| faces[0].0).collect()
+}
+
+/// The carriers of several primitives of which one is only partly there: behind it the others are seen.
+pub(super) fn layered(
+    infos: &[PrimitiveInfo],
+    carriers: &[Carrier],
+    materials: &[PreparedMaterial],
+) -> Vec<Carrier> {
+    let is_partial = |info: &PrimitiveInfo| materials[info.material as usize].dims();
+    if !infos.iter().any(is_partial) {
+        return Vec::new();
+    }
+    let mut users: Vec<(Carrier, bool)> =
+        carriers.iter().copied().zip(infos.iter().map(is_partial)).collect();
+    users.sort_unstable();
+    let is_layered = |users: &&[(Carrier, bool)]| users.len() > 1 && users.iter().any(|user| user.1);
+    users.chunk_by(|a, b| a.0 == b.0).filter(is_layered).map(|users| users[0].0).collect()
 }

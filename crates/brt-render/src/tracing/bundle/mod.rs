@@ -27,6 +27,7 @@ use super::guide::{Guide, Sight, Unguided};
 use super::tracer::Tracer;
 use crate::products::Carrier;
 use crate::settings::Backdrop;
+use crate::tracing::search::Leg;
 
 /// Most rays of a bundle.
 pub(crate) const MOST_RAYS: usize = PACKETS * LANES;
@@ -279,7 +280,8 @@ impl Tracer<'_> {
                 self.alphas[i] = alpha;
                 color
             } else {
-                self.color_of(&ray, met, bounces_left, Backdrop::Scene, way.guide)
+                let leg = Leg { ray, from: way.rays.starts.of(i) };
+                self.color_of(&leg, met, bounces_left, Backdrop::Scene, way.guide)
             };
             set_color(colors, i, color);
         }
