@@ -390,3 +390,31 @@ fn many_faces_almost_in_one_plane_are_prepared_in_time_that_grows_with_their_num
     let [few, many] = [seconds(60), seconds(240)];
     assert!(many < 80.0 * few.max(0.003), "{few} and {many} s");
 }
+
+/// Coordinates far from the origin are rounded there: planes of one face through other corners differ by that.
+#[test]
+fn a_box_cut_by_other_diagonals_far_from_the_origin_is_one_box() {
+    for distance in [10.0, 1e3, 1e5] {
+        let offset = vec3(1.0, -0.3, 0.7) * distance;
+        let box_cut_at = |corner: usize| {
+            let mut mesh = Mesh::default();
+            for mut face in faces_of_box(vec3(-0.7, -0.6, -0.5), vec3(0.9, 0.3, 0.5), turned) {
+                face.rotate_left(corner);
+                let first = mesh.positions.len() as u32;
+                mesh.positions.extend(face.into_iter().map(|p| p + offset));
+                mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+            }
+            Shape::from(mesh)
+        };
+        let mut scene = lit_scene();
+        scene.camera.eye = scene.camera.eye + offset;
+        scene.camera.look_at = scene.camera.look_at + offset;
+        scene.lights.remove(0);
+        let material = matte(&mut scene, rgb(0.9, 0.7, 0.5));
+        scene.add(box_cut_at(0), material);
+        let once = colors(&scene);
+        scene.add(box_cut_at(1), material);
+        let off = differing_by(1.0, &colors(&scene), &once);
+        assert_eq!(off, 0, "{distance} away");
+    }
+}

@@ -1,11 +1,11 @@
-//! Building the tree. The only file that names obvhs.
-
-use std::time::Duration;
+//! Building the tree.
 
 use obvhs::BvhBuildParams;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::bvh2::{Bvh2, DEFAULT_MAX_STACK_DEPTH};
 
+use super::ploc::cluster;
 use super::{Bvh, Child, Node};
 use crate::{Aabb, BOX_MARGIN, Vec3};
 
@@ -23,7 +23,7 @@ impl Bvh {
             boxes.iter().map(|(_, b)| round_outward(b, center, margin)).collect();
         let uneven: Vec<obvhs::aabb::Aabb> =
             (0_u64..).zip(&rounded).map(|(i, bounds)| uneven(bounds, i)).collect();
-        let mut binary = build_bvh2(&uneven, parameters(most_per_leaf), &mut Duration::default());
+        let mut binary = binary_tree(&uneven, most_per_leaf);
         refit(&mut binary, &rounded);
         let items = binary.primitive_indices.iter().map(|&i| boxes[i as usize].0).collect();
         let reach = (0.5 * size.x.max(size.y).max(size.z) + 2.0 * margin) as f32 * 1.001;
@@ -92,8 +92,28 @@ fn refit(binary: &mut Bvh2, boxes: &[obvhs::aabb::Aabb]) {
     binary.refit_all();
 }
 
-fn parameters(most_per_leaf: u32) -> BvhBuildParams {
-    BvhBuildParams { max_prims_per_leaf: most_per_leaf, ..BvhBuildParams::medium_build() }
+/// Clusters, with parts put where they fit better (Meister, Bittner: *Parallel reinsertion for bounding volume hierarchy
+/// optimization*, CGF 37 (2), 2018), and leaves joined where testing their items costs less than entering nodes.
+fn binary_tree(boxes: &[obvhs::aabb::Aabb], most_per_leaf: u32) -> Bvh2 {
+    let BvhBuildParams {
+        reinsertion_batch_ratio: ratio,
+        post_collapse_reinsertion_batch_ratio_multiplier: further,
+        collapse_traversal_cost,
+        ..
+    } = BvhBuildParams::medium_build();
+    let mut tree = cluster(boxes);
+    // In chains of nested boxes parts may wander deeper than the optimizer keeps count of.
+    let is_chain = tree.max_depth > DEFAULT_MAX_STACK_DEPTH / 2;
+    tree.max_depth = tree.max_depth.max(DEFAULT_MAX_STACK_DEPTH);
+    let mut optimizer = ReinsertionOptimizer::default();
+    if !is_chain {
+        optimizer.run(&mut tree, ratio, None);
+    }
+    collapse(&mut tree, most_per_leaf.clamp(1, 255), collapse_traversal_cost);
+    if !is_chain {
+        optimizer.run(&mut tree, ratio * further, None);
+    }
+    tree
 }
 
 /// Up to four descendants of a node of the binary tree: the widest boxes are opened first.

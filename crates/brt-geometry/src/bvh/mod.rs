@@ -5,6 +5,7 @@
 //! node is entered whenever an exact ray could touch it, and the primitives decide in `f64`.
 
 mod build;
+mod ploc;
 mod search_shaft;
 mod traverse;
 

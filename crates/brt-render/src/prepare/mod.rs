@@ -30,7 +30,7 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
     let mut flat = Flattened::of(scene, origin, &materials);
     let bounds = flat.primitives.iter().filter_map(Primitive::bounds).reduce(Aabb::union);
     let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
-    let mut carriers = share_carriers(&mut flat.primitives, &bounds);
+    let mut carriers = share_carriers(&mut flat.primitives, &bounds, origin);
     flat.remove(&duplicates(&flat.primitives, &flat.infos, &carriers, &materials), &mut carriers);
     let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } = flat;
     let contacts = contacts(&primitives, &infos, &carriers, &materials);

@@ -27,17 +27,22 @@ pub(super) struct Key {
 struct View {
     from: Vec3,
     along: Vec3,
+    /// The greatest coordinate of where numbers were rounded before the scene was moved to the origin.
+    offset: f64,
 }
 
 /// The keys of all primitives.
-pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb) -> Vec<Key> {
+pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb, offset: f64) -> Vec<Key> {
     let size = bounds.longest_side().max(f64::MIN_POSITIVE);
-    let view =
-        View { from: bounds.center() + vec3(1.617, 2.239, -1.423) * size, along: vec3(0.563, -0.327, 0.759) };
+    let view = View {
+        from: bounds.center() + vec3(1.617, 2.239, -1.423) * size,
+        along: vec3(0.563, -0.327, 0.759),
+        offset,
+    };
     let keys = (0_u32..).zip(primitives).map(|(id, primitive)| {
         let (place, error, size) = view.place_of(primitive);
         let error = error.min(WORST * (place - view.from).length());
-        let rounding = ROUNDINGS * (place.length() + view.from.length());
+        let rounding = ROUNDINGS * (place.length() + view.from.length() + offset);
         Key { number: place.dot(view.along), error: error + rounding, size, id }
     });
     keys.collect()
@@ -67,7 +72,7 @@ impl View {
             Primitive::Disc(disc) => {
                 let (normal, size) = (disc.plane.normal, disc.radius);
                 let away = normal.dot(disc.center - self.from);
-                let tilt = ROUNDINGS * reach(&[disc.center]) / size;
+                let tilt = ROUNDINGS * (reach(&[disc.center]) + self.offset) / size;
                 (self.from + normal * away, tilt * away.abs(), size)
             }
         }
@@ -82,14 +87,14 @@ impl View {
             .map(|i| normal.dot((corners[i] - corners[0]).cross(corners[i + 1] - corners[0])))
             .sum::<f64>();
         // How far a corner is off the plane turns it about the face's width.
-        let tilt = ROUNDINGS * reach(corners) * size / twice_area.abs();
+        let tilt = ROUNDINGS * (reach(corners) + self.offset) * size / twice_area.abs();
         (self.from + normal * away, tilt * away.abs(), twice_area.abs() / size)
     }
 
     /// The point of an axis that is nearest to the view.
     fn foot_on_axis(&self, base: Vec3, axis: Vec3, [low, high]: [f64; 2]) -> Foot {
         let (height, length) = (axis.dot(self.from - base), high - low);
-        let tilt = ROUNDINGS * (reach(&[base]) + low.abs() + high.abs()) / length;
+        let tilt = ROUNDINGS * (reach(&[base]) + low.abs() + high.abs() + self.offset) / length;
         let error = tilt * (height.abs() + (base - self.from).length());
         Foot { place: base + axis * height, height, error, length }
     }

@@ -10,18 +10,25 @@ mod duplicates;
 mod key;
 mod shared;
 
-use brt_geometry::{Aabb, Primitive, Vec3};
+use brt_geometry::{Aabb, BOX_MARGIN, Primitive, Vec3};
 
 pub(super) use duplicates::duplicates;
+use key::reach;
+use shared::Rounding;
 
 use crate::products::{Carrier, PreparedMaterial, PrimitiveInfo};
 
-/// Gives primitives that coincide the same carrier: returns one for each primitive. `bounds` is around all that have a box.
-pub(super) fn share_carriers(primitives: &mut [Primitive], bounds: &Aabb) -> Vec<Carrier> {
+/// Gives primitives that coincide the same carrier: returns one for each primitive. `bounds` is around all that have a box,
+/// `origin` where they were moved from.
+pub(super) fn share_carriers(primitives: &mut [Primitive], bounds: &Aabb, origin: Vec3) -> Vec<Carrier> {
     let mut carriers: Vec<Carrier> = (0..primitives.len() as u32).map(Carrier::new).collect();
-    let mut keys = key::keys(primitives, bounds);
+    let rounding = Rounding {
+        offset: reach(&[origin]),
+        room: 0.25 * BOX_MARGIN * bounds.longest_side().max(f64::MIN_POSITIVE),
+    };
+    let mut keys = key::keys(primitives, bounds, rounding.offset);
     for run in key::runs(&mut keys) {
-        shared::share(run, primitives, &mut carriers);
+        shared::share(run, primitives, &mut carriers, rounding);
     }
     carriers
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use brt_geometry::{Cone, Cylinder, Plane, Primitive, Sphere, Vec3};
+use brt_geometry::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3};
 
 use super::key::{Key, reach};
 use crate::products::Carrier;
@@ -16,16 +16,40 @@ const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
 /// rounding.)
 const LEAST_COSINE: f64 = 1.0 - 1e-6;
 
+/// What coordinates round by, and what that may move hits by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rounding {
+    /// The greatest coordinate of where the scene was before it was moved to the origin: its numbers were rounded there.
+    pub(super) offset: f64,
+    /// How far hits may lie beside a primitive because of another's plane: a quarter of the room that they have.
+    pub(super) room: f64,
+}
+
+impl Rounding {
+    /// Of what has coordinates up to this.
+    fn of(&self, size: f64) -> f64 {
+        ROUNDINGS * (size + self.offset)
+    }
+}
+
+/// No face shares a plane if rays would have to meet it at a greater sine than this.
+const GREATEST_SINE: f64 = 0.05;
+
 /// Compares the primitives of a run. Each gets a carrier that it lies on: one of the largest primitives', else that with the
 /// nearest key.
-pub(super) fn share(run: &mut [Key], primitives: &mut [Primitive], carriers: &mut [Carrier]) {
+pub(super) fn share(
+    run: &mut [Key],
+    primitives: &mut [Primitive],
+    carriers: &mut [Carrier],
+    rounding: Rounding,
+) {
     run.sort_unstable_by(|a, b| b.size.total_cmp(&a.size).then(a.id.cmp(&b.id)));
     let mut owners = Owners::default();
     for key in &*run {
         let primitive = &primitives[key.id as usize];
-        let shared = owners
-            .near(key)
-            .find_map(|owner| Some((owner, on_carrier_of(&primitives[owner as usize], primitive)?)));
+        let shared = owners.near(key).find_map(|owner| {
+            Some((owner, on_carrier_of(&primitives[owner as usize], primitive, rounding)?))
+        });
         match shared {
             Some((owner, moved)) => {
                 primitives[key.id as usize] = moved;
@@ -84,16 +108,16 @@ fn ordinal(number: f64) -> u64 {
 }
 
 /// A primitive on the carrier of `owner`; `None` if it does not lie on it.
-fn on_carrier_of(owner: &Primitive, primitive: &Primitive) -> Option<Primitive> {
+fn on_carrier_of(owner: &Primitive, primitive: &Primitive, rounding: Rounding) -> Option<Primitive> {
     match (owner, primitive) {
         (Primitive::Sphere(owner), Primitive::Sphere(ball)) => {
-            is_same_ball(owner, ball).then_some(Primitive::Sphere(*owner))
+            is_same_ball(owner, ball, rounding).then_some(Primitive::Sphere(*owner))
         }
         (Primitive::Cylinder(owner), Primitive::Cylinder(side)) => {
             let ends = ends_of(side.base, side.axis, [side.low, side.high]);
-            let [low, high] = on_axis(owner.base, owner.axis, ends)?;
+            let [low, high] = on_axis(owner.base, owner.axis, ends, rounding)?;
             let size = reach(&ends) + side.radius;
-            is_close(owner.radius, side.radius, size).then_some(Primitive::Cylinder(Cylinder {
+            is_close(owner.radius, side.radius, rounding.of(size)).then_some(Primitive::Cylinder(Cylinder {
                 low,
                 high,
                 ..*owner
@@ -102,24 +126,25 @@ fn on_carrier_of(owner: &Primitive, primitive: &Primitive) -> Option<Primitive> 
         (Primitive::Cone(owner), Primitive::Cone(side)) => {
             let ends = ends_of(side.base, side.axis, [side.low, side.high]);
             let heights = ends.map(|end| owner.axis.dot(end - owner.base));
-            let [low, high] = on_axis(owner.base, owner.axis, ends)?;
+            let [low, high] = on_axis(owner.base, owner.axis, ends, rounding)?;
             let size = reach(&ends) + side.base_radius + (side.slope * side.high).abs();
-            let is_same =
-                |height: f64, own: f64| is_close(radius_at(owner, height), radius_at(side, own), size);
+            let is_same = |height: f64, own: f64| {
+                is_close(radius_at(owner, height), radius_at(side, own), rounding.of(size))
+            };
             (is_same(heights[0], side.low) && is_same(heights[1], side.high))
                 .then_some(Primitive::Cone(Cone { low, high, ..*owner }))
         }
-        _ => on_plane(owner.plane()?, primitive),
+        _ => on_plane(owner.plane()?, primitive, rounding),
     }
 }
 
-fn is_close(a: f64, b: f64, size: f64) -> bool {
-    (a - b).abs() <= ROUNDINGS * size
+fn is_close(a: f64, b: f64, error: f64) -> bool {
+    (a - b).abs() <= error
 }
 
-fn is_same_ball(a: &Sphere, b: &Sphere) -> bool {
-    let size = reach(&[a.center, b.center]) + b.radius;
-    (a.center - b.center).length() <= ROUNDINGS * size && is_close(a.radius, b.radius, size)
+fn is_same_ball(a: &Sphere, b: &Sphere, rounding: Rounding) -> bool {
+    let error = rounding.of(reach(&[a.center, b.center]) + b.radius);
+    (a.center - b.center).length() <= error && is_close(a.radius, b.radius, error)
 }
 
 fn ends_of(base: Vec3, axis: Vec3, heights: [f64; 2]) -> [Vec3; 2] {
@@ -131,53 +156,59 @@ fn radius_at(cone: &Cone, height: f64) -> f64 {
 }
 
 /// The heights of two points of an axis, in their order; `None` if they do not lie on it.
-fn on_axis(base: Vec3, axis: Vec3, ends: [Vec3; 2]) -> Option<[f64; 2]> {
-    let size = reach(&ends) + reach(&[base]);
+fn on_axis(base: Vec3, axis: Vec3, ends: [Vec3; 2], rounding: Rounding) -> Option<[f64; 2]> {
+    let error = rounding.of(reach(&ends) + reach(&[base]));
     let [a, b] = ends.map(|end| {
         let height = axis.dot(end - base);
         let off = (end - base - axis * height).length();
-        (off <= ROUNDINGS * size).then_some(height)
+        (off <= error).then_some(height)
     });
     let (a, b) = (a?, b?);
     Some([a.min(b), a.max(b)])
 }
 
 /// A flat primitive in this plane. Which side is its front stays as it is.
-fn on_plane(plane: &Plane, primitive: &Primitive) -> Option<Primitive> {
+///
+/// Rays meet it where they meet the plane: beside it by how far it is off over their sine. Of what was rounded far from the
+/// origin this may be more than hits have room for, and rays that are too nearly along it miss it.
+fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<Primitive> {
     let own = primitive.plane()?;
     let cosine = own.normal.dot(plane.normal);
     let turn = if cosine < 0.0 { -1.0 } else { 1.0 };
-    let shared = Plane { normal: plane.normal * turn, distance: plane.distance * turn, ..*own };
-    let off = |p: Vec3| (plane.normal.dot(p) - plane.distance).abs();
-    // By the greatest coordinate of all corners: one that is at the origin was rotated with the others, and rounds as they do.
-    let lies_on = |corners: &[Vec3]| {
-        let size = reach(corners) + plane.distance.abs();
-        corners.iter().all(|&corner| off(corner) <= ROUNDINGS * size)
-    };
-    let tilt = (own.normal - shared.normal).length();
     if turn * cosine < LEAST_COSINE {
         return None;
     }
+    let off = |p: &Vec3| (plane.normal.dot(*p) - plane.distance).abs();
+    let shared = |greatest: f64, size: f64| {
+        let sine = greatest / rounding.room;
+        let is_on = greatest <= rounding.of(size + plane.distance.abs()) && sine <= GREATEST_SINE;
+        is_on.then(|| Plane {
+            normal: plane.normal * turn,
+            distance: plane.distance * turn,
+            least_sine_squared: own.least_sine_squared.max(sine * sine),
+        })
+    };
+    // By the greatest coordinate of all corners: one that is at the origin was rotated with the others, and rounds as they do.
+    let with_corners = |corners: &[Vec3]| shared(corners.iter().map(off).fold(0.0, f64::max), reach(corners));
+    let tilt = (own.normal - plane.normal * turn).length();
     match primitive {
-        Primitive::Triangle(face) => lies_on(&face.corners).then(|| {
-            let mut face = *face;
-            face.plane = shared;
-            Primitive::Triangle(face)
-        }),
-        Primitive::Polygon(face) => lies_on(&face.corners).then(|| {
-            let mut face = face.clone();
-            face.plane = shared;
-            Primitive::Polygon(face)
-        }),
+        Primitive::Triangle(face) => {
+            let plane = with_corners(&face.corners)?;
+            Some(Primitive::Triangle(Triangle { plane, ..*face }))
+        }
+        Primitive::Polygon(face) => {
+            let plane = with_corners(&face.corners)?;
+            Some(Primitive::Polygon(Polygon { plane, corners: face.corners.clone() }))
+        }
         Primitive::Disc(disc) => {
-            let size = reach(&[disc.center]) + disc.radius + plane.distance.abs();
-            (tilt * disc.radius + off(disc.center) <= ROUNDINGS * size)
-                .then_some(Primitive::Disc(brt_geometry::Disc { plane: shared, ..*disc }))
+            let size = reach(&[disc.center]) + disc.radius;
+            let plane = shared(tilt * disc.radius + off(&disc.center), size)?;
+            Some(Primitive::Disc(Disc { plane, ..*disc }))
         }
         Primitive::Plane(own) => {
-            let is_level = tilt <= ROUNDINGS;
-            (is_level && is_close(own.distance, shared.distance, own.distance.abs()))
-                .then_some(Primitive::Plane(shared))
+            let error = rounding.of(own.distance.abs());
+            let is_same = tilt <= ROUNDINGS && is_close(own.distance, turn * plane.distance, error);
+            is_same.then(|| Primitive::Plane(Plane::new(plane.normal * turn, plane.distance * turn)))
         }
         Primitive::Sphere(_) | Primitive::Cylinder(_) | Primitive::Cone(_) => None,
     }
