@@ -150,6 +150,48 @@ fn thousands_of_boxes_in_one_place_are_all_visited() {
     }
 }
 
+/// Boxes that lie in each other, or shrink from one to the next, have no neighbours that choose each other.
+#[test]
+fn building_takes_time_in_proportion_to_the_number_of_boxes() {
+    let around = |center: Vec3, half: f64| Aabb::around(center, Vec3::splat(half));
+    let kinds: [(&str, fn(f64) -> Aabb); 5] = [
+        ("a row", |share| Aabb::around(vec3(share, 0.0, 0.0), Vec3::splat(1e-6))),
+        ("nested", |share| Aabb::around(Vec3::ZERO, Vec3::splat(share))),
+        ("from one corner", |share| Aabb::of_points(&[Vec3::ZERO, Vec3::splat(share)])),
+        ("flat and nested", |share| Aabb::of_points(&[vec3(0.0, 0.0, 0.0), vec3(share, 1.0, 0.5)])),
+        ("shrinking", |share| {
+            let size = libm::exp(-30.0 * share);
+            Aabb::of_points(&[vec3(0.0, 0.0, size), vec3(size, size, size)])
+        }),
+    ];
+    for (name, boxes) in kinds {
+        let seconds = |count: u32| {
+            let share = |i: u32| f64::from(i + 1) / f64::from(count);
+            let boxes: Vec<(u32, Aabb)> = (0..count).map(|i| (i, boxes(share(i)))).collect();
+            let begin = std::time::Instant::now();
+            let tree = Bvh::build(&boxes, 4);
+            let seconds = begin.elapsed().as_secs_f64();
+            // Something to find, at least.
+            let ray = Ray::new(vec3(-1.0, 1e-7, 1e-7), vec3(1.0, 0.0, 0.0));
+            assert!(name == "shrinking" || !visited(&tree, &ray, FARTHEST).is_empty(), "{name}");
+            seconds
+        };
+        // 16 times as many: 256 times as long if each is compared with all.
+        let [few, many] = [seconds(4_000), seconds(64_000)];
+        assert!(many < 80.0 * few.max(0.003), "{name}: {few} and {many} s");
+    }
+    // Sizes at which a tree is as deep as it has boxes, but small enough to be optimized.
+    for count in [150, 250, 400, 900] {
+        let nested: Vec<(u32, Aabb)> =
+            (0..count).map(|i| (i, around(Vec3::ZERO, 0.9_f64.powi(i as i32)))).collect();
+        assert_eq!(
+            visited(&Bvh::build(&nested, 1), &Ray::new(vec3(3.0, 0.0, 0.0), vec3(-1.0, 0.0, 0.0)), FARTHEST)
+                .len(),
+            count as usize
+        );
+    }
+}
+
 fn random_primitive(random: &mut Random, size: f64, offset: Vec3) -> Primitive {
     let center = random.point(1.0) * size + offset;
     if random.one_in(2) {

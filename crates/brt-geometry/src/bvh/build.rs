@@ -92,6 +92,14 @@ fn refit(binary: &mut Bvh2, boxes: &[obvhs::aabb::Aabb]) {
     binary.refit_all();
 }
 
+/// Mean of the inner nodes' areas, as a share of the whole's, beyond which boxes lie in each other more than side by side.
+const LARGE_NODES: f32 = 1.0 / 16.0;
+
+fn mean_size(tree: &Bvh2) -> f32 {
+    let inner = tree.nodes.iter().filter(|node| !node.is_leaf()).map(|node| node.aabb().half_area());
+    inner.sum::<f32>() / (tree.nodes.len() as f32 * 0.5 * tree.nodes[0].aabb().half_area())
+}
+
 /// Clusters, with parts put where they fit better (Meister, Bittner: *Parallel reinsertion for bounding volume hierarchy
 /// optimization*, CGF 37 (2), 2018), and leaves joined where testing their items costs less than entering nodes.
 fn binary_tree(boxes: &[obvhs::aabb::Aabb], most_per_leaf: u32) -> Bvh2 {
@@ -102,15 +110,16 @@ fn binary_tree(boxes: &[obvhs::aabb::Aabb], most_per_leaf: u32) -> Bvh2 {
         ..
     } = BvhBuildParams::medium_build();
     let mut tree = cluster(boxes);
-    // In chains of nested boxes parts may wander deeper than the optimizer keeps count of.
-    let is_chain = tree.max_depth > DEFAULT_MAX_STACK_DEPTH / 2;
+    // In chains of nested boxes parts may wander deeper than the optimizer keeps count of; and where most nodes are nearly as
+    // large as the whole, it looks at most of the tree for each part that it moves, and finds no better place.
+    let is_hopeless = tree.max_depth > DEFAULT_MAX_STACK_DEPTH / 2 || mean_size(&tree) > LARGE_NODES;
     tree.max_depth = tree.max_depth.max(DEFAULT_MAX_STACK_DEPTH);
     let mut optimizer = ReinsertionOptimizer::default();
-    if !is_chain {
+    if !is_hopeless {
         optimizer.run(&mut tree, ratio, None);
     }
     collapse(&mut tree, most_per_leaf.clamp(1, 255), collapse_traversal_cost);
-    if !is_chain {
+    if !is_hopeless {
         optimizer.run(&mut tree, ratio * further, None);
     }
     tree
