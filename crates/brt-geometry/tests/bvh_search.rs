@@ -154,7 +154,8 @@ fn thousands_of_boxes_in_one_place_are_all_visited() {
 #[test]
 fn building_takes_time_in_proportion_to_the_number_of_boxes() {
     let around = |center: Vec3, half: f64| Aabb::around(center, Vec3::splat(half));
-    let kinds: [(&str, fn(f64) -> Aabb); 5] = [
+    type BoxAt = fn(f64) -> Aabb;
+    let kinds: [(&str, BoxAt); 5] = [
         ("a row", |share| Aabb::around(vec3(share, 0.0, 0.0), Vec3::splat(1e-6))),
         ("nested", |share| Aabb::around(Vec3::ZERO, Vec3::splat(share))),
         ("from one corner", |share| Aabb::of_points(&[Vec3::ZERO, Vec3::splat(share)])),
@@ -183,7 +184,7 @@ fn building_takes_time_in_proportion_to_the_number_of_boxes() {
     // Sizes at which a tree is as deep as it has boxes, but small enough to be optimized.
     for count in [150, 250, 400, 900] {
         let nested: Vec<(u32, Aabb)> =
-            (0..count).map(|i| (i, around(Vec3::ZERO, 0.9_f64.powi(i as i32)))).collect();
+            (0..count).map(|i| (i, around(Vec3::ZERO, libm::pow(0.9, f64::from(i))))).collect();
         assert_eq!(
             visited(&Bvh::build(&nested, 1), &Ray::new(vec3(3.0, 0.0, 0.0), vec3(-1.0, 0.0, 0.0)), FARTHEST)
                 .len(),

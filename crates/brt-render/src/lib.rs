@@ -26,7 +26,7 @@ pub use methods::{
     PixelSelectedSettings, Regions, VarianceDelta,
 };
 pub use picture::{Filter, KeptRows, Layer, LayerPainter, LayerRows, Rows, Sink, SinkError};
-pub use prepare::{PreparedCamera, prepare};
+pub use prepare::PreparedCamera;
 pub use products::{
     BlockCounts, Certificate, CertificateCounts, PixelCounts, PreparedScene, RayCounts, RayHistory,
     SampleGrid, SampleState, Seconds, Stats, Surface, Tries, Window,

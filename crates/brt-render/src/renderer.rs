@@ -1,6 +1,6 @@
 //! The whole method on one screen.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Instant;
 
 use brt_scene::{Camera, CheckedScene};
@@ -11,7 +11,7 @@ use crate::perspective::Outlines;
 use crate::picture::{BandAssembler, Crop, Sink};
 use crate::prepare::{PreparedCamera, prepare};
 use crate::products::{Counters, PreparedScene, SampleGrid, Stats, Window};
-use crate::run::Run;
+use crate::run::{Cancel, Run};
 use crate::schedule::Schedule;
 use crate::settings::{Accelerator, Settings};
 use crate::tracing::BoundingSpheres;
@@ -30,7 +30,7 @@ pub fn render(
 ) -> Result<Stats, RenderError> {
     settings.check().map_err(RenderError::Settings)?;
     let begin = Instant::now();
-    let prepared = prepare(scene, settings.accelerator);
+    let prepared = prepare(scene, settings.accelerator, run.cancel()).ok_or(RenderError::Cancelled)?;
     let window = settings.whole()?;
     Shot { scene, prepared: &prepared, camera: &scene.camera, window, settings, run }.take(begin, sink)
 }
@@ -54,12 +54,13 @@ pub struct Renderer {
     scene: Arc<CheckedScene>,
     /// One for each accelerator.
     prepared: Arc<[OnceLock<PreparedScene>; Accelerator::ALL.len()]>,
+    preparing: Arc<Mutex<()>>,
 }
 
 impl Renderer {
     /// A renderer of a scene.
     pub fn new(scene: impl Into<Arc<CheckedScene>>) -> Self {
-        Self { scene: scene.into(), prepared: Arc::default() }
+        Self { scene: scene.into(), prepared: Arc::default(), preparing: Arc::default() }
     }
 
     /// The scene.
@@ -67,9 +68,23 @@ impl Renderer {
         &self.scene
     }
 
-    /// The scene as the tracers see it. Whoever asks first prepares it; others wait.
+    /// The scene as the tracers see it, prepared if it is not yet.
     pub fn prepared(&self, accelerator: Accelerator) -> &PreparedScene {
-        self.prepared[accelerator as usize].get_or_init(|| prepare(&self.scene, accelerator))
+        let prepared = self.prepared_unless(accelerator, Cancel::NEVER);
+        prepared.expect("nobody cancels it")
+    }
+
+    /// `None` if that was cancelled. Whoever comes while another prepares it waits for that.
+    fn prepared_unless(&self, accelerator: Accelerator, cancel: Cancel) -> Option<&PreparedScene> {
+        let place = &self.prepared[accelerator as usize];
+        if place.get().is_none() {
+            let _alone = self.preparing.lock().unwrap_or_else(PoisonError::into_inner);
+            if place.get().is_none() {
+                // Nobody else has set it since.
+                _ = place.set(prepare(&self.scene, accelerator, cancel)?);
+            }
+        }
+        place.get()
     }
 
     /// Renders a window of the picture of [`Settings::size`] that this camera takes; its rows go to the sink from the top to
@@ -98,7 +113,8 @@ impl Renderer {
             )));
         }
         let begin = Instant::now();
-        let prepared = self.prepared(settings.accelerator);
+        let prepared =
+            self.prepared_unless(settings.accelerator, run.cancel()).ok_or(RenderError::Cancelled)?;
         Shot { scene: &self.scene, prepared, camera, window, settings, run }.take(begin, sink)
     }
 }

@@ -70,6 +70,14 @@ pub trait Progress: Sync {
 pub(crate) struct Cancel<'a>(Option<&'a AtomicBool>);
 
 impl Cancel<'_> {
+    /// Of what nobody cancels.
+    pub(crate) const NEVER: Self = Self(None);
+
+    /// `None` once the flag is set.
+    pub(crate) fn go_on(self) -> Option<()> {
+        (!self.is_set()).then_some(())
+    }
+
     #[inline(always)]
     pub(crate) fn is_set(self) -> bool {
         self.0.is_some_and(|flag| flag.load(Ordering::Relaxed))

@@ -4,8 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use brt_image::Transfer;
 use brt_render::{
-    BorderSettings, Filter, Layer, Method, PixelSelectedSettings, Progress, RayOrder, RenderError, Rows, Run,
-    Samples, Settings, Sink, SinkError, Stats, TileOrder, render,
+    Accelerator, BorderSettings, CertifiedSettings, Filter, Layer, Method, PencilSettings,
+    PixelSelectedSettings, Progress, RayOrder, RenderError, Renderer, Rows, Run, Samples, Settings, Sink,
+    SinkError, Stats, TileOrder, Window, render,
 };
 use brt_scene::{Scene, Shape};
 use brt_testkit::{Rendered, all_shapes, checked, first_difference, looking, render_with_layers, seed_scene};
@@ -35,6 +36,9 @@ fn threads_and_tile_orders_change_no_byte_and_no_count() {
         Method::Full,
         Method::PixelSelected(PixelSelectedSettings::default()),
         Method::Border(BorderSettings::default()),
+        Method::Certified(CertifiedSettings::default()),
+        Method::Pencil(PencilSettings::default()),
+        Method::ItemBuffer,
     ];
     let scene = all_shapes();
     for (method, filter, samples) in methods
@@ -90,6 +94,21 @@ fn a_set_cancel_flag_ends_in_cancelled_without_rows() {
     let result = render(&checked(&all_shapes()), &Settings::new([64, 64]), &run, &mut rows);
     assert!(matches!(result, Err(RenderError::Cancelled)), "{result:?}");
     assert!(rows.is_empty());
+}
+
+#[test]
+fn preparing_is_cancelled_too_and_tried_again_when_asked_again() {
+    let renderer = Renderer::new(checked(&all_shapes()));
+    let (cancel, camera) = (AtomicBool::new(true), renderer.scene().camera.clone());
+    let settings = Settings { accelerator: Accelerator::Grid, ..Settings::new([16, 16]) };
+    let mut rows: Vec<Rows> = Vec::new();
+    let mut render = |cancel: Option<&AtomicBool>| {
+        let run = Run { cancel, ..Run::default() };
+        renderer.render(&camera, Window::pixel(3, 4), &settings, &run, &mut rows)
+    };
+    let result = render(Some(&cancel));
+    assert!(matches!(result, Err(RenderError::Cancelled)), "{result:?}");
+    assert!(render(None).is_ok());
 }
 
 /// Takes one portion of rows, then fails or asks to stop.

@@ -93,7 +93,21 @@ fn only_primitive(worker: &TileWorker, tile: &Tile, area: Area) -> Option<u32> {
     (area.y0..area.y1).all(|y| row(y).iter().all(|&p| p == first)).then_some(first)
 }
 
+/// All samples have the history of the pencil, and so of the first.
+fn note_histories(worker: &mut TileWorker, tile: &Tile, area: Area) {
+    let (x, y) = (area.x0 - tile.x, area.y0 - tile.y);
+    worker.note_history_of(tile, x, y);
+    let history = worker.samples.history[tile.index(x, y)];
+    for row in y..area.y1 - tile.y {
+        let start = tile.index(x, row);
+        worker.samples.history[start..start + (area.x1 - area.x0) as usize].fill(history);
+    }
+}
+
 fn fill(worker: &mut TileWorker, tile: &Tile, area: Area, color: &Rgb<Taylor>) {
+    if worker.wants_histories {
+        note_histories(worker, tile, area);
+    }
     let fill = LinearFill::new(worker.simd, area, &worker.camera.pattern, color, f32::NEG_INFINITY);
     for y in area.y0..area.y1 {
         let start = tile.index(area.x0 - tile.x, y - tile.y);

@@ -11,6 +11,7 @@ use super::mesh::flatten_mesh;
 use crate::products::{
     Carrier, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedMaterial, PrimitiveInfo, Surface,
 };
+use crate::run::Cancel;
 
 /// Primitives of a scene and what is known of them.
 #[derive(Default)]
@@ -49,9 +50,11 @@ pub(super) struct Owner {
 }
 
 impl Flattened {
+    /// All primitives; some of them if it is cancelled.
+    ///
     /// Of primitives that lie upon each other the first counts. So what is only partly there comes first, for the others are
     /// seen behind it; then what ends the view, and glass last: where it stands on a floor it is not to hide the floor.
-    pub(super) fn of(scene: &Scene, origin: Vec3, materials: &[PreparedMaterial]) -> Self {
+    pub(super) fn of(scene: &Scene, origin: Vec3, materials: &[PreparedMaterial], cancel: Cancel) -> Self {
         let mut flat = Self { origin, ..Self::default() };
         let rank = |object: &Object| {
             let material = &materials[object.material.0 as usize];
@@ -60,6 +63,9 @@ impl Flattened {
         let mut objects: Vec<(usize, &Object)> = scene.objects.iter().enumerate().collect();
         objects.sort_by_key(|(_, object)| rank(object));
         for (index, object) in objects {
+            if cancel.is_set() {
+                break;
+            }
             let material = &scene.materials[object.material.0 as usize];
             let owner = Owner {
                 object: index,

@@ -15,6 +15,7 @@ use brt_scene::{CheckedScene, Light, Material, Scene, Shape};
 use crate::products::{
     Beam, PreparedChecker, PreparedLight, PreparedMaterial, PreparedScene, PreparedTexture, PrimitiveInfo,
 };
+use crate::run::Cancel;
 use crate::settings::Accelerator;
 use coincident::{contacts, duplicates, layered, share_carriers};
 use flatten::Flattened;
@@ -23,14 +24,20 @@ use origin::origin_of;
 /// So few bounded primitives are tested faster than a tree over them is entered.
 const FEW: usize = 3;
 
-/// Flattens a scene and builds an index over its primitives.
-pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene {
+/// Flattens a scene and builds an index over its primitives; `None` if that was cancelled.
+pub(crate) fn prepare(
+    scene: &CheckedScene,
+    accelerator: Accelerator,
+    cancel: Cancel,
+) -> Option<PreparedScene> {
     let origin = origin_of(scene);
     let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
-    let mut flat = Flattened::of(scene, origin, &materials);
+    let mut flat = Flattened::of(scene, origin, &materials, cancel);
+    cancel.go_on()?;
     let bounds = flat.primitives.iter().filter_map(Primitive::bounds).reduce(Aabb::union);
     let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
-    let mut carriers = share_carriers(&mut flat.primitives, &bounds, origin);
+    let mut carriers = share_carriers(&mut flat.primitives, &bounds, origin, cancel);
+    cancel.go_on()?;
     flat.remove(&duplicates(&flat.primitives, &flat.infos, &carriers, &materials), &mut carriers);
     let Flattened { primitives, infos, surfaces, normals, colors, texcoords, .. } = flat;
     let contacts = contacts(&primitives, &infos, &carriers, &materials);
@@ -48,6 +55,7 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
     if accelerator == Accelerator::Bvh && boxes.len() <= FEW {
         outside.extend(boxes.drain(..).map(|(id, _)| id));
     }
+    cancel.go_on()?;
     let index = match accelerator {
         Accelerator::None => SpatialIndex::Everything(boxes.iter().map(|b| b.0).collect()),
         Accelerator::Extents => {
@@ -57,7 +65,8 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
         Accelerator::Grid => SpatialIndex::Grid(Grid::build(&boxes)),
         Accelerator::Bvh => SpatialIndex::Bvh(Bvh::build(&boxes, most_per_leaf(&primitives))),
     };
-    PreparedScene {
+    cancel.go_on()?;
+    Some(PreparedScene {
         index,
         bounds,
         origin,
@@ -76,7 +85,7 @@ pub fn prepare(scene: &CheckedScene, accelerator: Accelerator) -> PreparedScene 
         has_dimmers,
         colors,
         texcoords,
-    }
+    })
 }
 
 /// May anything look darker than black? Files may ask for it.

@@ -17,10 +17,16 @@ use key::reach;
 use shared::Rounding;
 
 use crate::products::{Carrier, PreparedMaterial, PrimitiveInfo};
+use crate::run::Cancel;
 
 /// Gives primitives that coincide the same carrier: returns one for each primitive. `bounds` is around all that have a box,
 /// `origin` where they were moved from.
-pub(super) fn share_carriers(primitives: &mut [Primitive], bounds: &Aabb, origin: Vec3) -> Vec<Carrier> {
+pub(super) fn share_carriers(
+    primitives: &mut [Primitive],
+    bounds: &Aabb,
+    origin: Vec3,
+    cancel: Cancel,
+) -> Vec<Carrier> {
     let mut carriers: Vec<Carrier> = (0..primitives.len() as u32).map(Carrier::new).collect();
     let rounding = Rounding {
         offset: reach(&[origin]),
@@ -28,7 +34,7 @@ pub(super) fn share_carriers(primitives: &mut [Primitive], bounds: &Aabb, origin
     };
     let mut keys = key::keys(primitives, bounds, rounding.offset);
     for run in key::runs(&mut keys) {
-        shared::share(run, primitives, &mut carriers, rounding);
+        shared::share(run, primitives, &mut carriers, rounding, cancel);
     }
     carriers
 }

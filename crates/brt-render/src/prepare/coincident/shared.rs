@@ -6,6 +6,7 @@ use brt_geometry::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Tria
 
 use super::key::{Key, reach};
 use crate::products::Carrier;
+use crate::run::Cancel;
 
 /// Roundings by which a primitive may lie off a carrier that it is given, as a share of the greatest of its coordinates and
 /// the carrier's distance. Rays then meet it by up to that over [`brt_geometry::LEAST_SINE`] beside where it is: 1.8·10⁻⁸ of
@@ -42,10 +43,14 @@ pub(super) fn share(
     primitives: &mut [Primitive],
     carriers: &mut [Carrier],
     rounding: Rounding,
+    cancel: Cancel,
 ) {
     run.sort_unstable_by(|a, b| b.size.total_cmp(&a.size).then(a.id.cmp(&b.id)));
     let mut owners = Owners::default();
     for key in &*run {
+        if cancel.is_set() {
+            return;
+        }
         let primitive = &primitives[key.id as usize];
         let shared = owners.near(key).find_map(|owner| {
             Some((owner, on_carrier_of(&primitives[owner as usize], primitive, rounding)?))
