@@ -418,3 +418,26 @@ fn a_box_cut_by_other_diagonals_far_from_the_origin_is_one_box() {
         assert_eq!(off, 0, "{distance} away");
     }
 }
+
+/// A lamp in a ceiling lights the room under it, however the room is turned.
+#[test]
+fn a_light_that_lies_in_a_face_is_not_hidden_by_it() {
+    let picture = |height: f64| {
+        let mut scene = lit_scene();
+        scene.lights = vec![Light::Point { position: turned(vec3(0.1, height, 0.3)), color: Rgb::WHITE }];
+        let white = matte(&mut scene, rgb(0.9, 0.9, 0.9));
+        let level = |p: Vec3| turned(vec3(p.x, -0.5, p.y));
+        scene.add(rectangle([-3.0, 3.0], [-3.0, 3.0], level), white);
+        let ceiling = |p: Vec3| turned(vec3(p.x, 0.9, p.y));
+        scene.add(rectangle([-3.0, 3.0], [-3.0, 3.0], ceiling), white);
+        scene.camera = looking([0.0; 3], [0.0; 3], 90.0);
+        scene.camera.eye = turned(vec3(0.4, 0.5, 2.0));
+        scene.camera.look_at = turned(vec3(0.0, -0.5, 0.0));
+        scene.camera.up = turned(vec3(0.0, 1.0, 0.0));
+        colors(&scene)
+    };
+    let (just_under, in_the_ceiling) = (picture(0.899_999), picture(0.9));
+    // The ceiling itself is lit by neither.
+    let off = differing_by(2.0, &just_under, &in_the_ceiling);
+    assert!(off < 20, "{off} pixels");
+}

@@ -26,7 +26,7 @@ pub(crate) use history::Step;
 pub(crate) use pattern::SamplePattern;
 pub(crate) use perspective_image::{MIXED, NOTHING, PerspectiveImage};
 pub(crate) use prepared::{
-    Beam, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedChecker, PreparedLight, PreparedMaterial,
+    Beam, LIGHT_END, NO_COLORS, NO_NORMALS, NO_TEXCOORDS, PreparedChecker, PreparedLight, PreparedMaterial,
     PrimitiveInfo,
 };
 pub use prepared::{PreparedScene, Surface};

@@ -131,6 +131,10 @@ impl PrimitiveInfo {
     }
 }
 
+/// What is met on the way to a light from this share of it on does not hide the light. A lamp may lie exactly in a ceiling, and
+/// whether the ceiling is met just before it or just behind only rounding would tell, point by point.
+pub(crate) const LIGHT_END: f64 = 1.0 - 1e-9;
+
 /// A light with its direction normalised.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum PreparedLight {

@@ -3,7 +3,7 @@
 use brt_geometry::{Real, Vec3};
 use brt_image::{Rgb, rgb};
 
-use crate::products::{Beam, PreparedLight};
+use crate::products::{Beam, LIGHT_END, PreparedLight};
 
 impl Beam {
     /// The beam around an axis of any length but 0, with full strength up to `inner_deg` and none from `outer_deg` on.
@@ -30,7 +30,7 @@ impl PreparedLight {
     #[inline(always)]
     pub(super) fn way_from<R: Real>(&self, point: Vec3<R>) -> (Vec3<R>, f64) {
         match self {
-            Self::Point { position, .. } => (position.lift::<R>() - point, 1.0),
+            Self::Point { position, .. } => (position.lift::<R>() - point, LIGHT_END),
             Self::Directional { towards, .. } => (towards.lift(), f64::INFINITY),
         }
     }

@@ -6,7 +6,7 @@ use super::lookup::{ANYWHERE, Next};
 use super::shade::{Seen, select};
 use super::ways::Ways;
 use super::{Colors, PACKETS, lane_of};
-use crate::products::{PreparedLight, PreparedMaterial, PreparedScene};
+use crate::products::{LIGHT_END, PreparedLight, PreparedMaterial, PreparedScene};
 use crate::tracing::guide::Lighting;
 use crate::tracing::illumination::{Directions, reflected_light};
 use crate::tracing::tracer::Tracer;
@@ -224,7 +224,7 @@ fn hide_in_lanes(
 /// Nothing beyond this distance (in units of the way to the light) hides it.
 fn farthest(light: &PreparedLight) -> f64 {
     match light {
-        PreparedLight::Point { .. } => 1.0,
+        PreparedLight::Point { .. } => LIGHT_END,
         PreparedLight::Directional { .. } => f64::INFINITY,
     }
 }

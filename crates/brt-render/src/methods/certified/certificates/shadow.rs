@@ -11,7 +11,7 @@ use super::clear::Clear;
 use super::{MOST_CLASSIFIED, hides_together};
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
-use crate::products::PreparedLight;
+use crate::products::{LIGHT_END, PreparedLight};
 use crate::tracing::{LightWays, Patch};
 
 /// How the points of a patch see a light, given what is known of it, and of how ways leave the patch.
@@ -108,6 +108,15 @@ pub(in crate::methods::certified) fn shaft_of(
     }
 }
 
+/// Does a light lie so nearly in a plane that it counts as seen from points that are at least `nearest` off the plane?
+///
+/// From a point at height h a light at height −a is hidden at h / (h + a) of the way, which is from [`LIGHT_END`] on if a is at
+/// most 10⁻⁹ h. Half of that is left for rounding: both heights and the quotient round by less than 64 ε of all coordinates.
+fn lies_in_plane(above: f64, nearest: f64, scale: f64) -> bool {
+    let room = 0.5 * (1.0 - LIGHT_END) * nearest;
+    above.abs() <= room && 64.0 * f64::EPSILON * scale <= room
+}
+
 /// Do a patch and all ways from it to a light lie on one side of a flat primitive?
 pub(in crate::methods::certified) fn is_beside(
     primitive: &Primitive,
@@ -121,7 +130,12 @@ pub(in crate::methods::certified) fn is_beside(
     let scale = lo.abs().max(hi.abs()) + 2.0 * plane.distance.abs();
     let (above, margin) = match light {
         PreparedLight::Point { position, .. } => {
-            (plane.normal.dot(*position) - plane.distance, BOX_MARGIN * (scale + size(*position)))
+            let above = plane.normal.dot(*position) - plane.distance;
+            let nearest = if lo > 0.0 { lo } else { -hi };
+            if lies_in_plane(above, nearest, scale + size(*position)) {
+                return true;
+            }
+            (above, BOX_MARGIN * (scale + size(*position)))
         }
         // A light far away is approached for ever: what counts is whether that leads to the plane.
         PreparedLight::Directional { towards, .. } => {
