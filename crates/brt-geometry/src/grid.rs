@@ -1,7 +1,8 @@
 //! A uniform grid of cells, walked by a three-dimensional digital differential analyser (Fujimoto, Tanaka, Iwata:
 //! *ARTS: accelerated ray-tracing system*, IEEE CG&A 6 (4), 1986). Paper: P1.
 
-use crate::{Aabb, BOX_MARGIN, Ray, Traversal, Vec3, WALK_MARGIN};
+use crate::margins::{BOX_MARGIN, GRID_ROOM, WALK_MARGIN};
+use crate::{Aabb, Ray, Traversal, Vec3};
 
 /// Cells per item that are aimed at: more cells mean fewer tests and longer walks.
 const CELLS_PER_ITEM: f64 = 4.0;
@@ -12,10 +13,6 @@ const MOST_CELLS: f64 = 128.0;
 /// Entries in cells that are always allowed, and for each item besides: what bounds the grid's memory.
 const MOST_ENTRIES: u64 = 1 << 21;
 const ENTRIES_PER_ITEM: u64 = 32;
-
-/// How much room items have in their cells, in [`BOX_MARGIN`]s of the grid's size. Hits lie beside their rays by up to one
-/// `BOX_MARGIN` of the way; rays from farther away than the room allows try every item instead of walking.
-const ROOM: f64 = 64.0;
 
 /// A uniform grid over boxes with items.
 #[derive(Clone, Debug)]
@@ -36,11 +33,11 @@ impl Grid {
         let whole = boxes.iter().map(|b| b.1).reduce(Aabb::union);
         let whole = whole.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::splat(1.0)));
         let longest = whole.longest_side();
-        let room = Vec3::splat(ROOM * BOX_MARGIN * longest);
+        let room = Vec3::splat(GRID_ROOM * BOX_MARGIN * longest);
         // The grid is larger than its items' room: the walk rounds, too.
         let (lo, size) = (whole.lo - room * 2.0, whole.hi - whole.lo + room * 4.0);
         // From there to anything in the grid it is one size more at most; and one is left for the walk's rounding.
-        let farthest_start = (ROOM - 2.0) * longest;
+        let farthest_start = (GRID_ROOM - 2.0) * longest;
         let mut count = cell_counts(size, boxes.len());
         loop {
             let cell: [f64; 3] = std::array::from_fn(|axis| size[axis] / count[axis] as f64);

@@ -1,5 +1,6 @@
 //! The rays of a block, and what is known of where they meet a primitive.
 
+use crate::margins::{BLOCK_ROUNDINGS, MOMENT_ROUNDINGS};
 use crate::{Hit, Mask, Plane, Primitive, Ray, Real, Sphere, Start, Taylor, Trilean, Vec3, vec3};
 
 /// All rays of a block as one model, with their moment `o × d` (Plücker coordinates), by which edges and spheres are
@@ -22,10 +23,6 @@ pub struct RayBlock {
     origin_size: f64,
 }
 
-/// Roundings of a side of an edge or of a discriminant by single rays, and of what stands for it here. (A determinant of
-/// corners seen along a ray, over the direction's greatest coordinate, is off by less than half of them.)
-const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
-
 impl RayBlock {
     /// The block of these rays.
     pub fn new(ray: Ray<Taylor>) -> Self {
@@ -38,7 +35,7 @@ impl RayBlock {
     pub fn to_point(ray: Ray<Taylor>, point: Vec3) -> Self {
         // But for the rounding of differences there is no moment around the point.
         let size = sizes(&ray.direction).into_iter().fold(0.0, f64::max);
-        let rounding = Taylor { c: 0.0, u: 0.0, v: 0.0, e: 4.0 * f64::EPSILON * size * size };
+        let rounding = Taylor { c: 0.0, u: 0.0, v: 0.0, e: MOMENT_ROUNDINGS * size * size };
         Self::around(ray, point, vec3(rounding, rounding, rounding))
     }
 
@@ -89,7 +86,7 @@ impl RayBlock {
         let radius_squared = sphere.radius * sphere.radius;
         let mut discriminant = dd * Taylor::constant(radius_squared) - moment.length_squared();
         let reach = offset.length_squared() + 3.0 * self.origin_size * self.origin_size + radius_squared;
-        discriminant.e += 4.0 * ROUNDINGS * self.direction_size * self.direction_size * reach;
+        discriminant.e += 4.0 * BLOCK_ROUNDINGS * self.direction_size * self.direction_size * reach;
         let zero = Taylor::constant(0.0);
         let meets = discriminant.ge(zero);
         if !meets.any() {
@@ -99,7 +96,7 @@ impl RayBlock {
         let b = from_center.dot(d);
         // Single rays compare the parts of the chord instead, which round by as much of these terms as a discriminant does.
         let mut c = from_center.length_squared() - Taylor::constant(radius_squared);
-        c.e += ROUNDINGS * reach;
+        c.e += BLOCK_ROUNDINGS * reach;
         let meets = meets & (c.le(zero) | b.lt(zero));
         if !meets.any() {
             return Hit::none();
@@ -156,7 +153,7 @@ impl RayBlock {
         let (a, b) = (greatest(a), greatest(b));
         let terms = self.direction_size * (a + self.origin_size) * (b + self.origin_size)
             + self.moment_size * (a + b);
-        Taylor { e: side.e + ROUNDINGS * terms, ..side }
+        Taylor { e: side.e + BLOCK_ROUNDINGS * terms, ..side }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The shaft of rays that are given one by one, eight in lanes.
 
+use crate::margins::CLEARLY_ACROSS;
 use crate::shaft::Shaft;
 use crate::{Aabb, BOX_MARGIN, COORDINATE_ROUNDING, LANES, LaneMask, Lanes, Mask, Real, Vec3, vec3};
 
@@ -184,7 +185,7 @@ fn direction(rays: &[LaneRays], i: usize) -> Vec3 {
 fn sides_of(axis: Vec3, rays: &[LaneRays]) -> [Vec3; 2] {
     let along_row = direction(rays, LANES - 1) - direction(rays, 0);
     let across = axis.cross(along_row);
-    let is_clear = across.length_squared() > 1e-12 * direction(rays, 0).length_squared();
+    let is_clear = across.length_squared() > CLEARLY_ACROSS * direction(rays, 0).length_squared();
     let first = across.try_normalize().filter(|_| is_clear).unwrap_or_else(|| axis.tangents().0);
     [first, axis.cross(first)]
 }

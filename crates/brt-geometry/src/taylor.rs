@@ -7,6 +7,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::margins::MODEL_ROUNDING;
 use crate::real::{Mask, Real, power_by_squaring};
 use crate::{Trilean, Vec3};
 
@@ -23,9 +24,6 @@ pub struct Taylor {
     pub e: f64,
 }
 
-/// Rounding of one operation relative to the magnitude of its terms: one unit more than IEEE 754 needs.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
-
 impl Taylor {
     /// The model `c + u·U + v·V`, exact.
     pub fn linear(c: f64, u: f64, v: f64) -> Self {
@@ -35,13 +33,13 @@ impl Taylor {
     /// Lower and upper bound over the block; infinite where nothing is known.
     #[inline]
     pub fn range(self) -> [f64; 2] {
-        let radius = (self.u.abs() + self.v.abs() + self.e) * (1.0 + 4.0 * f64::EPSILON);
+        let radius = (self.u.abs() + self.v.abs() + self.e) * (1.0 + 2.0 * MODEL_ROUNDING);
         let lo = self.c - radius;
         let hi = self.c + radius;
         if lo.is_nan() || hi.is_nan() {
             return [f64::NEG_INFINITY, f64::INFINITY];
         }
-        [lo - ROUNDING * lo.abs(), hi + ROUNDING * hi.abs()]
+        [lo - MODEL_ROUNDING * lo.abs(), hi + MODEL_ROUNDING * hi.abs()]
     }
 
     fn unknown() -> Self {
@@ -53,7 +51,7 @@ impl Taylor {
         if !c.is_finite() {
             return Self::unknown();
         }
-        Self { c, u: 0.0, v: 0.0, e: (hi - c).max(c - lo) * (1.0 + ROUNDING) }
+        Self { c, u: 0.0, v: 0.0, e: (hi - c).max(c - lo) * (1.0 + MODEL_ROUNDING) }
     }
 
     fn magnitude(self) -> f64 {
@@ -76,7 +74,7 @@ impl Taylor {
     /// With error `e` plus the rounding of an operation whose terms sum up to `terms` in magnitude.
     #[inline(always)]
     fn rounded(self, terms: f64) -> Self {
-        Self { e: (self.e + ROUNDING * terms) * (1.0 + ROUNDING) + f64::MIN_POSITIVE, ..self }
+        Self { e: (self.e + MODEL_ROUNDING * terms) * (1.0 + MODEL_ROUNDING) + f64::MIN_POSITIVE, ..self }
     }
 
     /// `slope·self + offset ± error`, for a function bounded by that line over the model's range.
@@ -136,7 +134,7 @@ impl Add for Taylor {
     fn add(self, o: Self) -> Self {
         let sum = Self { c: self.c + o.c, u: self.u + o.u, v: self.v + o.v, e: self.e + o.e };
         // Rounding is relative to the results; results too small for that are exact.
-        Self { e: sum.e + 1.5 * ROUNDING * (sum.magnitude() + sum.e), ..sum }
+        Self { e: sum.e + 1.5 * MODEL_ROUNDING * (sum.magnitude() + sum.e), ..sum }
     }
 }
 
@@ -238,7 +236,7 @@ impl Real for Taylor {
         let top = greatest - slope * hi;
         let tangent = |x: f64| middle * rise + steepness * (x - middle) - slope * x;
         let bottom = tangent(lo).min(tangent(hi));
-        let rounding = 8.0 * ROUNDING * f64::from(exponent) * greatest;
+        let rounding = 8.0 * MODEL_ROUNDING * f64::from(exponent) * greatest;
         let line = self.through_line(slope, 0.5 * (top + bottom), 0.5 * (top - bottom).max(0.0) + rounding);
         if line.e.is_finite() { line } else { Self::unknown() }
     }
@@ -286,6 +284,6 @@ impl Real for Taylor {
         let [lo, hi] = self.range();
         let (a, b) = (libm::pow(lo.max(0.0), exponent), libm::pow(hi.max(0.0), exponent));
         // libm's pow is monotone but for its last place.
-        Self::enclosing([a * (1.0 - 4.0 * ROUNDING), b * (1.0 + 4.0 * ROUNDING)])
+        Self::enclosing([a * (1.0 - 4.0 * MODEL_ROUNDING), b * (1.0 + 4.0 * MODEL_ROUNDING)])
     }
 }

@@ -7,6 +7,7 @@
 mod error;
 mod filling;
 mod job;
+mod margins;
 mod methods;
 mod perspective;
 mod picture;

@@ -7,11 +7,9 @@ use wide::f32x4;
 use super::{ALL_CHILDREN, Bvh, Child, Node, Traversal, push_sorted};
 use crate::{
     Shaft,
+    margins::{OFFSET_ROUNDINGS, SHAFT_SLACK},
     shaft::{HalfSpace, MOST_FACES},
 };
-
-/// Roundings of a face's normal, of its offset and of three products lie between the exact side and ours.
-const SLACK: f32 = 1.0 / (1 << 19) as f32;
 
 impl Bvh {
     /// Visits items whose boxes the shaft may touch until `visit` says false; returns whether it never did.
@@ -87,10 +85,9 @@ impl Bvh {
         let n = face.normal;
         let scale = 1.0 / n.x.abs().max(n.y.abs()).max(n.z.abs());
         let offset = (face.offset - n.dot(self.center)) * scale;
-        let rounding =
-            16.0 * f64::EPSILON * (face.offset.abs() + (n.length() * self.center.length())) * scale;
+        let rounding = OFFSET_ROUNDINGS * (face.offset.abs() + (n.length() * self.center.length())) * scale;
         let normal = [n.x * scale, n.y * scale, n.z * scale].map(|x| x as f32);
-        let slack = SLACK * 3.0 * self.reach;
+        let slack = SHAFT_SLACK as f32 * 3.0 * self.reach;
         let offset = ((offset + rounding) as f32).next_up();
         RoundedFace {
             normal: normal.map(f32x4::splat),

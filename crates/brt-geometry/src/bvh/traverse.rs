@@ -2,13 +2,14 @@
 //!
 //! A node's slabs are tested in `f32`, four children at once. No box is left out that the exact ray touches, nor one that a
 //! hit may lie beside by rounding: the ray's origin is rounded both ways by [`BOX_MARGIN`] of its distance, and distances are
-//! widened by [`SLACK`]. Rays from far outside are first moved to where they enter the tree, in `f64`: single precision
+//! widened by [`TREE_SLACK`]. Rays from far outside are first moved to where they enter the tree, in `f64`: single precision
 //! could not hold where they start.
 
 use wide::f32x4;
 
 use super::{ALL_CHILDREN, Bvh, Child, Node, Open, push_sorted};
-use crate::{BOX_MARGIN, Ray, Vec3};
+use crate::margins::{BOX_MARGIN, TREE_SLACK};
+use crate::{Ray, Vec3};
 
 /// Working memory of a walk, kept to spare allocations, and its count of nodes.
 #[derive(Clone, Debug, Default)]
@@ -18,10 +19,10 @@ pub struct Traversal {
     pub nodes_visited: u64,
 }
 
-/// Six roundings of 2⁻²⁴ at most lie between the exact distance to a plane and ours.
-const SLACK: f32 = 1.0 / (1 << 21) as f32;
+const SLACK: f32 = TREE_SLACK as f32;
 
-/// Rays that start farther outside than this, in units of the tree's reach, are moved to where they enter it.
+/// Rays that start farther outside than this, in units of the tree's reach, are moved to where they enter it. Nothing rests on
+/// it: their margin grows with their distance, and would be as large as the tree.
 const FAR_OUTSIDE: f64 = 4.0;
 
 impl Bvh {

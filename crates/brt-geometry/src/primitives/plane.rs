@@ -1,9 +1,7 @@
 //! Infinite planes.
 
-use crate::{Hit, LEAST_SINE, Ray, Real, Start, Vec3};
-
-/// Roundings of where corners are seen, generously: as a share of their distance.
-const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+use crate::margins::{LEAST_SINE, SLIVER_ROUNDINGS};
+use crate::{Hit, Ray, Real, Start, Vec3};
 
 /// All points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +29,7 @@ impl Plane {
     /// itself a sliver is thinner than rounding, and all of the line that it lies on would count as inside.
     #[must_use]
     pub fn for_area_share(self, area_share: f64) -> Self {
-        let least_sine = LEAST_SINE.max(ROUNDINGS / area_share);
+        let least_sine = LEAST_SINE.max(SLIVER_ROUNDINGS / area_share);
         Self { least_sine_squared: least_sine * least_sine, ..self }
     }
 

@@ -5,6 +5,7 @@
 //! sign of a determinant is right or 0, since both its products round towards where they are. So no ray slips between
 //! polygons that share an edge, nor through a corner that several share.
 
+use crate::margins::AREA_ROUNDINGS;
 use crate::{Aabb, Hit, Mask, Plane, Ray, Real, Start, Vec3, polygon_plane};
 
 /// A flat convex polygon.
@@ -93,9 +94,6 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
     Hit { found: found & (is_clear | is_seen(corners, ray)), t: hit.t }
 }
 
-/// Roundings of the products in a sum of sides, generously.
-const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-
 /// Is the area of a polygon, as seen along a ray that passes inside, more than rounding?
 ///
 /// Of a polygon smaller than what coordinates round by where the ray starts, corners are seen at one place. On which side of an
@@ -112,7 +110,7 @@ fn is_seen<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> R::Mask {
         size = size + forward.max(-forward) + backward.max(-backward);
         a = b;
     }
-    area.max(-area).gt(R::constant(ROUNDINGS) * size)
+    area.max(-area).gt(R::constant(AREA_ROUNDINGS) * size)
 }
 
 /// On which side of each edge a ray passes: a flat primitive is met where no two of these differ in sign.

@@ -6,6 +6,7 @@ use brt_geometry::{Lanes, Ray, Real, SimdLevel, Start};
 
 use super::forms::{FlatForms, Forms, LinearForm, RoundForms};
 use super::outlines::Outline;
+use crate::margins::QUOTIENT_ROUNDINGS;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, NOTHING, PreparedScene, Tile};
 
@@ -196,7 +197,7 @@ impl<'a> DepthBuffer<'a> {
     /// Keeps the nearer of two hits; marks the sample where rounding could decide which that is.
     #[inline(always)]
     fn keep_nearer(&mut self, x: u32, y: u32, id: u32, inverse_depth: f64) {
-        let margin = self.margin + 8.0 * f64::EPSILON * inverse_depth;
+        let margin = self.margin + QUOTIENT_ROUNDINGS * inverse_depth;
         let sample = self.sample(x, y);
         let difference = inverse_depth - sample.inverse_depth;
         if difference > margin {

@@ -1,7 +1,8 @@
 //! Where on the picture a primitive can be at most.
 
-use brt_geometry::{COORDINATE_ROUNDING, PROJECTION_MARGIN, Primitive, Vec3};
+use brt_geometry::{COORDINATE_ROUNDING, Primitive, Vec3};
 
+use crate::margins::PROJECTION_MARGIN;
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, PreparedScene, SampleGrid};
 

@@ -17,6 +17,8 @@ use crate::products::{
 };
 use crate::run::Cancel;
 use crate::settings::Accelerator;
+#[cfg(test)]
+pub(crate) use coincident::keys_for_tests;
 use coincident::{contacts, duplicates, layered, share_carriers};
 use flatten::Flattened;
 use origin::origin_of;

@@ -7,12 +7,7 @@
 use brt_geometry::Vec3;
 use brt_scene::{Object, Scene};
 
-/// A scene whose middle is farther away than this many of its sizes is moved. (Coordinates of the others are at most nine
-/// halves of the scene's size, so what rounds by a share of them rounds by a share of the size.)
-///
-/// Not less than 2: any coordinate is then between half and twice that of the middle, and their difference is exact
-/// (Sterbenz 1974). A scene that is moved loses no digit.
-const FAR: f64 = 4.0;
+use crate::margins::FAR_FROM_ORIGIN;
 
 /// The point of a scene that becomes the origin: axis by axis the middle of everything that is bounded, or 0 where that is
 /// near.
@@ -23,7 +18,7 @@ pub(super) fn origin_of(scene: &Scene) -> Vec3 {
     let size = size.x.max(size.y).max(size.z);
     let mut origin = lo * 0.5 + hi * 0.5;
     for axis in 0..3 {
-        if origin[axis].abs() <= FAR * size {
+        if origin[axis].abs() <= FAR_FROM_ORIGIN * size {
             origin[axis] = 0.0;
         }
     }

@@ -19,7 +19,7 @@ pub(crate) use area::Area;
 pub(crate) use block::Block;
 pub(crate) use carrier::Carrier;
 pub use certificate::{Certificate, CertificateCounts, Tries};
-pub(crate) use clearance::{CLEARANCE, slack};
+pub(crate) use clearance::slack;
 pub use grid::SampleGrid;
 pub use history::RayHistory;
 pub(crate) use history::Step;

@@ -5,6 +5,7 @@ use brt_image::Rgb;
 use brt_scene::{Axis, Checker, Highlight};
 
 use super::{Carrier, PreparedTexture};
+use crate::margins::LIGHT_MARGIN;
 
 /// A scene flattened to primitives, with an index over them.
 #[derive(Clone, Debug)]
@@ -131,9 +132,8 @@ impl PrimitiveInfo {
     }
 }
 
-/// What is met on the way to a light from this share of it on does not hide the light. A lamp may lie exactly in a ceiling, and
-/// whether the ceiling is met just before it or just behind only rounding would tell, point by point.
-pub(crate) const LIGHT_END: f64 = 1.0 - 1e-9;
+/// Nothing hides a light from this share of the way to it on.
+pub(crate) const LIGHT_END: f64 = 1.0 - LIGHT_MARGIN;
 
 /// A light with its direction normalised.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,8 @@
 use brt_geometry::{Plane, RayBlock, Real, Taylor, Vec3};
 
 use super::LinearForm;
-use crate::products::{CLEARANCE, SamplePattern, Tile, slack};
+use crate::margins::{EDGE_CLEARANCE, FARTHEST_FORM};
+use crate::products::{SamplePattern, Tile, slack};
 
 /// The forms of a flat primitive.
 #[derive(Clone, Debug)]
@@ -25,8 +26,6 @@ impl FlatForms {
         tile: &Tile,
         pattern: &SamplePattern,
     ) -> Option<Self> {
-        // Farther away a hit might not count any more (`FARTHEST`).
-        const FAR: f64 = 1e200;
         let ray = &rays.ray;
         let ahead = plane.ahead(ray);
         let inverse_depth = LinearForm::of(plane.facing(ray) / ahead, tile, pattern);
@@ -34,7 +33,7 @@ impl FlatForms {
         let least =
             2.0 * plane.least_sine_squared.sqrt() * longest / ahead.c.abs() + 2.0 * inverse_depth.margin;
         // Written so that NaN is refused.
-        if !(least < f64::INFINITY && least > 1.0 / FAR) {
+        if !(least < f64::INFINITY && least > 1.0 / FARTHEST_FORM) {
             return None;
         }
         // Ahead of the eye the plane's normal has one direction along all rays: seen from the front, edges run the
@@ -48,7 +47,7 @@ impl FlatForms {
         // The side of an edge is six times the volume of eye, corners and hit, over the depth.
         let eye = Vec3 { x: ray.origin.x.c, y: ray.origin.y.c, z: ray.origin.z.c };
         let [farthest, nearest] = inverse_depth.over_tile(tile).range();
-        let clear = CLEARANCE * slack(eye, corners) * ahead.c.abs() * nearest.max(-farthest);
+        let clear = EDGE_CLEARANCE * slack(eye, corners) * ahead.c.abs() * nearest.max(-farthest);
         for (i, edge) in edges.iter_mut().enumerate() {
             let before = corners[(i + corners.len() - 1) % corners.len()];
             edge.margin += clear * (corners[i] - before).length();

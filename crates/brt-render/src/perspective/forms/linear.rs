@@ -2,6 +2,7 @@
 
 use brt_geometry::Taylor;
 
+use crate::margins::FORM_ROUNDINGS;
 use crate::products::{Area, SamplePattern, Tile};
 
 /// A number linear in the position, counted from where the first sample of a tile has its place.
@@ -22,7 +23,7 @@ impl LinearForm {
         let ([middle_x, middle_y], [half_x, half_y]) = (area.middle(), area.half_sides(pattern));
         let slope = |change: f64, half: f64| if half > 0.0 { change / half } else { 0.0 };
         let (column, row) = (slope(model.u, half_x), slope(model.v, half_y));
-        let rounding = 16.0 * f64::EPSILON * (model.c.abs() + model.u.abs() + model.v.abs());
+        let rounding = FORM_ROUNDINGS * (model.c.abs() + model.u.abs() + model.v.abs());
         Self {
             base: model.c - column * middle_x - row * middle_y,
             column,

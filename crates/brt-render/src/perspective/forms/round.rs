@@ -3,6 +3,7 @@
 use brt_geometry::{Ray, Real, Sphere, Taylor};
 
 use super::LinearForm;
+use crate::margins::{DEPTH_ROUNDING, DISCRIMINANT_ROUNDINGS, LEAST_POWER};
 use crate::prepare::PreparedCamera;
 use crate::products::{SamplePattern, Tile};
 
@@ -20,9 +21,6 @@ pub(crate) struct RoundForms {
     pub(in crate::perspective) depth_margin: f64,
 }
 
-/// Inverse depths next to the outline may be off by this share: a root enlarges rounding.
-const DEPTH_ROUNDING: f64 = 1e-6;
-
 impl RoundForms {
     /// The forms over a tile whose rays leave one eye; `None` from inside the sphere and from next to its surface.
     pub(super) fn new(
@@ -38,12 +36,11 @@ impl RoundForms {
         let [lo, hi] = b_model.range();
         let greatest_b = hi.abs().max(lo.abs());
         let longest = ray.dd.range()[1];
-        // Next to the surface the two terms of the nearer root cancel, and depths are nothing but rounding.
-        if !(c.range()[0] > 1e-6 * from_center.length_squared().c && greatest_b.is_finite()) {
+        if !(c.range()[0] > LEAST_POWER * from_center.length_squared().c && greatest_b.is_finite()) {
             return None;
         }
         let terms = greatest_b * greatest_b + c.c * longest;
-        let margin = 2.0 * greatest_b * b.margin + c.e * longest + 96.0 * f64::EPSILON * terms;
+        let margin = 2.0 * greatest_b * b.margin + c.e * longest + DISCRIMINANT_ROUNDINGS * terms;
         let inverse_c = 1.0 / c.c;
         let depth_margin = DEPTH_ROUNDING * 2.0 * greatest_b * inverse_c;
         (margin + depth_margin).is_finite().then_some(Self { b, c, inverse_c, margin, depth_margin })

@@ -2,12 +2,7 @@
 
 use brt_geometry::{Aabb, Primitive, Vec3, vec3};
 
-/// Roundings of coordinates that two descriptions of one carrier may differ by: a plane through three corners, a rotated box.
-const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
-
-/// Primitives whose carriers are known less well than this, as a share of the scene's size, are not compared with what lies
-/// farther away: slivers would be compared with everything.
-const WORST: f64 = 1e-8;
+use crate::margins::{KEY_ROUNDINGS, WORST_KEY};
 
 /// By how much of its radius the place of something round is moved: concentric ones have places of their own.
 const BY_RADIUS: Vec3 = Vec3 { x: 0.3, y: 0.5, z: 0.7 };
@@ -41,8 +36,8 @@ pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb, offset: f64) -> Vec<
     };
     let keys = (0_u32..).zip(primitives).map(|(id, primitive)| {
         let (place, error, size) = view.place_of(primitive);
-        let error = error.min(WORST * (place - view.from).length());
-        let rounding = ROUNDINGS * (place.length() + view.from.length() + offset);
+        let error = error.min(WORST_KEY * (place - view.from).length());
+        let rounding = KEY_ROUNDINGS * (place.length() + view.from.length() + offset);
         Key { number: place.dot(view.along), error: error + rounding, size, id }
     });
     keys.collect()
@@ -72,7 +67,7 @@ impl View {
             Primitive::Disc(disc) => {
                 let (normal, size) = (disc.plane.normal, disc.radius);
                 let away = normal.dot(disc.center - self.from);
-                let tilt = ROUNDINGS * (reach(&[disc.center]) + self.offset) / size;
+                let tilt = KEY_ROUNDINGS * (reach(&[disc.center]) + self.offset) / size;
                 (self.from + normal * away, tilt * away.abs(), size)
             }
         }
@@ -87,14 +82,14 @@ impl View {
             .map(|i| normal.dot((corners[i] - corners[0]).cross(corners[i + 1] - corners[0])))
             .sum::<f64>();
         // How far a corner is off the plane turns it about the face's width.
-        let tilt = ROUNDINGS * (reach(corners) + self.offset) * size / twice_area.abs();
+        let tilt = KEY_ROUNDINGS * (reach(corners) + self.offset) * size / twice_area.abs();
         (self.from + normal * away, tilt * away.abs(), twice_area.abs() / size)
     }
 
     /// The point of an axis that is nearest to the view.
     fn foot_on_axis(&self, base: Vec3, axis: Vec3, [low, high]: [f64; 2]) -> Foot {
         let (height, length) = (axis.dot(self.from - base), high - low);
-        let tilt = ROUNDINGS * (reach(&[base]) + low.abs() + high.abs() + self.offset) / length;
+        let tilt = KEY_ROUNDINGS * (reach(&[base]) + low.abs() + high.abs() + self.offset) / length;
         let error = tilt * (height.abs() + (base - self.from).length());
         Foot { place: base + axis * height, height, error, length }
     }
@@ -114,7 +109,7 @@ impl Foot {
     /// On one axis the radius there tells carriers apart.
     fn with_radius(&self, radius: f64, slope: f64) -> (Vec3, f64, f64) {
         // The slope is a difference of radii over the length, the foot as far away as it is.
-        let of_radius = ROUNDINGS
+        let of_radius = KEY_ROUNDINGS
             * (radius.abs() + slope.abs() * self.height.abs())
             * (1.0 + self.height.abs() / self.length);
         let error = self.error * (1.0 + slope.abs()) + of_radius;

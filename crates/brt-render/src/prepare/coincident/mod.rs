@@ -39,6 +39,12 @@ pub(super) fn share_carriers(
     carriers
 }
 
+/// The number of each primitive's key, and its error.
+#[cfg(test)]
+pub(crate) fn keys_for_tests(primitives: &[Primitive], bounds: &Aabb) -> Vec<(f64, f64)> {
+    key::keys(primitives, bounds, 0.0).into_iter().map(|key| (key.number, key.error)).collect()
+}
+
 /// The planes on which faces of glass lie that look to both sides: light may go from one solid into another, whether they
 /// are two objects or parts of one mesh.
 pub(super) fn contacts(

@@ -5,17 +5,9 @@ use std::collections::BTreeMap;
 use brt_geometry::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle, Vec3};
 
 use super::key::{Key, reach};
+use crate::margins::{CARRIER_ROUNDINGS, LEAST_COSINE};
 use crate::products::Carrier;
 use crate::run::Cancel;
-
-/// Roundings by which a primitive may lie off a carrier that it is given, as a share of the greatest of its coordinates and
-/// the carrier's distance. Rays then meet it by up to that over [`brt_geometry::LEAST_SINE`] beside where it is: 1.8·10⁻⁸ of
-/// both. Each is at most 4.5 sizes of the scene, so this is 1.6·10⁻⁷ of it, a sixth of [`brt_geometry::BOX_MARGIN`].
-const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
-
-/// Cosine of the angle between faces that may share a plane. (Corners alone say nothing of faces that are as small as
-/// rounding.)
-const LEAST_COSINE: f64 = 1.0 - 1e-6;
 
 /// What coordinates round by, and what that may move hits by.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +21,7 @@ pub(super) struct Rounding {
 impl Rounding {
     /// Of what has coordinates up to this.
     fn of(&self, size: f64) -> f64 {
-        ROUNDINGS * (size + self.offset)
+        CARRIER_ROUNDINGS * (size + self.offset)
     }
 }
 
@@ -212,7 +204,7 @@ fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<
         }
         Primitive::Plane(own) => {
             let error = rounding.of(own.distance.abs());
-            let is_same = tilt <= ROUNDINGS && is_close(own.distance, turn * plane.distance, error);
+            let is_same = tilt <= CARRIER_ROUNDINGS && is_close(own.distance, turn * plane.distance, error);
             is_same.then(|| Primitive::Plane(Plane::new(plane.normal * turn, plane.distance * turn)))
         }
         Primitive::Sphere(_) | Primitive::Cylinder(_) | Primitive::Cone(_) => None,

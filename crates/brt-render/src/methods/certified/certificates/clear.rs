@@ -9,20 +9,9 @@
 
 use brt_geometry::{COORDINATE_ROUNDING, Plane, Primitive, Ray, Taylor, Vec3};
 
-use crate::products::{CLEARANCE, PreparedScene, slack};
+use crate::margins::{EDGE_CLEARANCE, LEAST_RISE, LEAST_VIEW_SINE, OFF_PLANE, STEEPEST};
+use crate::products::{PreparedScene, slack};
 use crate::tracing::Patch;
-
-/// Sine of the angle to a surface below which a ray counts as along it.
-const LEAST_RISE_SINE: f64 = 0.02;
-
-/// The same for how it is seen: a place is known to within a slack over this.
-const LEAST_VIEW_SINE: f64 = 1e-3;
-
-/// A face that comes nearer to the plane than it is beyond the edge over this lies beside it.
-const STEEPEST: f64 = 30.0;
-
-/// So many slacks from an edge, or off a plane, nothing is met by rounding.
-const FAR: f64 = 4000.0;
 
 /// A flat primitive that all samples of a block show, clear of its edges.
 pub(in crate::methods::certified) struct Clear<'a> {
@@ -59,7 +48,7 @@ impl<'a> Clear<'a> {
 
     /// Rays that leave it; `None` where they may run along it or to its other side.
     pub(in crate::methods::certified) fn leaving(&self, towards: &'a Vec3<Taylor>) -> Option<Leaving<'_>> {
-        let least = LEAST_RISE_SINE * towards.length_squared().range()[1].max(0.0).sqrt();
+        let least = LEAST_RISE * towards.length_squared().range()[1].max(0.0).sqrt();
         let [rise, _] = towards.along(self.plane.normal * self.side).range();
         (rise > least).then_some(Leaving { from: self, towards, least })
     }
@@ -88,7 +77,7 @@ impl Leaving<'_> {
         let off = slack + COORDINATE_ROUNDING * plane.distance.abs();
         let is_above = |corner: &Vec3| turn * (plane.normal.dot(*corner) - plane.distance) >= -off;
         // Off an edge by its clearance the primitive has gained height over the plane.
-        let gained = CLEARANCE * slack * own.normal.cross(plane.normal).length();
+        let gained = EDGE_CLEARANCE * slack * own.normal.cross(plane.normal).length();
         (lo > 0.0 || hi < 0.0) && gained > 10.0 * off && corners.iter().all(is_above)
     }
 
@@ -97,13 +86,13 @@ impl Leaving<'_> {
         let Clear { plane: own, corners: own_corners, side, slack: own_slack } = *self.from;
         let slack = slack(Vec3::ZERO, corners) + own_slack;
         let [lo, hi] = self.towards.along(plane.normal).range();
-        let is_known = FAR * slack < CLEARANCE * own_slack && is_flat(plane, corners, slack);
+        let is_known = OFF_PLANE * slack < EDGE_CLEARANCE * own_slack && is_flat(plane, corners, slack);
         if corners.is_empty() || lo.max(-hi) <= self.least || !is_known {
             return false;
         }
         let height = |corner: &Vec3| side * (own.normal.dot(*corner) - own.distance);
         let highest = corners.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
-        if highest < -FAR * slack {
+        if highest < -OFF_PLANE * slack {
             return true;
         }
         let is_beyond = |i: usize| {

@@ -10,12 +10,10 @@
 use brt_geometry::{Mask, Plane, Primitive, Ray, RayBlock, Shaft, Start, Taylor, Vec3};
 
 use super::before_light;
+use crate::margins::LEAST_RISE;
 use crate::methods::certified::candidates::Candidates;
 use crate::products::{PreparedLight, PreparedScene};
 use crate::tracing::{LightWays, Patch};
-
-/// Sine of the angle to a face below which light counts as along it.
-const LEAST_SINE: f64 = 0.02;
 
 /// More faces are not looked at together: smaller blocks have fewer.
 const MOST_FACES: usize = 128;
@@ -102,13 +100,13 @@ impl Between {
     /// Does all light that crosses a face come from this side of it, between the patch and the light; and is its outline
     /// so clearly convex that it stays so however its corners are rounded?
     fn holds_face(&self, plane: &Plane, corners: &[Vec3], turn: f64, ways: &LightWays) -> bool {
-        let least_rise = LEAST_SINE * ways.towards.length_squared().range()[1].max(0.0).sqrt();
+        let least_rise = LEAST_RISE * ways.towards.length_squared().range()[1].max(0.0).sqrt();
         let rises_above = |normal: Vec3, least: f64| ways.towards.along(normal * turn).range()[0] > least;
         if corners.is_empty() || !rises_above(plane.normal, least_rise) {
             return false;
         }
         let off_plane = |corner: &Vec3| (plane.normal.dot(*corner) - plane.distance).abs();
-        let off = corners.iter().map(off_plane).fold(0.0, f64::max) / LEAST_SINE + self.margin;
+        let off = corners.iter().map(off_plane).fold(0.0, f64::max) / LEAST_RISE + self.margin;
         let is_inside = |corner: &Vec3| {
             let at = corner.dot(self.axis);
             self.least + off < at && at < self.greatest - off

@@ -5,13 +5,16 @@
 //! away. (Where it is not certain that a patch faces the light, a highlight would not end with the surface: open.) A flat
 //! primitive with the patch and the light on one side of its plane is in no way between them.
 
-use brt_geometry::{BOX_MARGIN, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Trilean, Vec3};
+use brt_geometry::{
+    BOX_MARGIN, COORDINATE_ROUNDING, Hit, Mask, Primitive, Ray, RayBlock, Real, Shaft, Taylor, Trilean, Vec3,
+};
 
 use super::clear::Clear;
 use super::{MOST_CLASSIFIED, hides_together};
+use crate::margins::LIGHT_MARGIN;
 use crate::methods::certified::candidates::{Candidates, MOST_LISTED};
 use crate::methods::certified::known_history::KnownLighting;
-use crate::products::{LIGHT_END, PreparedLight};
+use crate::products::PreparedLight;
 use crate::tracing::{LightWays, Patch};
 
 /// How the points of a patch see a light, given what is known of it, and of how ways leave the patch.
@@ -110,11 +113,11 @@ pub(in crate::methods::certified) fn shaft_of(
 
 /// Does a light lie so nearly in a plane that it counts as seen from points that are at least `nearest` off the plane?
 ///
-/// From a point at height h a light at height −a is hidden at h / (h + a) of the way, which is from [`LIGHT_END`] on if a is at
-/// most 10⁻⁹ h. Half of that is left for rounding: both heights and the quotient round by less than 64 ε of all coordinates.
+/// From a point at height h a light at height −a is hidden at h / (h + a) of the way, which is within [`LIGHT_MARGIN`] of its end if a is at
+/// most 10⁻⁹ h. Half of that is left for rounding: both heights and the quotient round by less than [`COORDINATE_ROUNDING`].
 fn lies_in_plane(above: f64, nearest: f64, scale: f64) -> bool {
-    let room = 0.5 * (1.0 - LIGHT_END) * nearest;
-    above.abs() <= room && 64.0 * f64::EPSILON * scale <= room
+    let room = 0.5 * LIGHT_MARGIN * nearest;
+    above.abs() <= room && COORDINATE_ROUNDING * scale <= room
 }
 
 /// Do a patch and all ways from it to a light lie on one side of a flat primitive?

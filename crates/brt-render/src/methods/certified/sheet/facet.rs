@@ -2,7 +2,8 @@
 
 use brt_geometry::{COORDINATE_ROUNDING, Primitive, Ray, Taylor, Triangle, Vec3};
 
-use super::{LEAST_SINE, greatest_length};
+use super::greatest_length;
+use crate::margins::{LEAST_RISE, MOST_WEIGHT_ERROR, SHEET_CLEARANCE, WEIGHT_ROUNDINGS};
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, PreparedScene};
 
@@ -57,13 +58,6 @@ pub(super) struct Facets {
     pub(super) weight_error: f64,
 }
 
-/// Weights of corners that may be off by more mean nothing.
-const MOST_WEIGHT_ERROR: f64 = 1e-6;
-
-/// How much clearer of edges points must be than they are known: with [`LEAST_SINE`] a ray has left the slack before it
-/// gets across an edge.
-const CLEARANCE: f64 = 1e4;
-
 impl Facets {
     /// `None` where rays of the area may run along one of the triangles, or normals are not what they seem.
     pub(super) fn new(
@@ -84,7 +78,7 @@ impl Facets {
             all.push(facet);
         }
         let slack = COORDINATE_ROUNDING * reach;
-        Some(Self { all, slack, clearance: CLEARANCE * slack, weight_error })
+        Some(Self { all, slack, clearance: SHEET_CLEARANCE * slack, weight_error })
     }
 
     /// Where the triangle with this id is.
@@ -96,7 +90,7 @@ impl Facets {
 impl Facet {
     fn new(id: u32, triangle: &Triangle, corners: [Vec3; 3], ray: &Ray<Taylor>) -> Option<Self> {
         let outward = triangle.plane.normal;
-        let turn = -sign(ray.direction.along(outward).range(), greatest_length(ray.dd) * LEAST_SINE)?;
+        let turn = -sign(ray.direction.along(outward).range(), greatest_length(ray.dd) * LEAST_RISE)?;
         // As in `Interaction::at`: normals are on the side that the order of the corners says, then turned.
         let agrees = sign(extremes(corners.map(|n| n.dot(outward))), COORDINATE_ROUNDING)?;
         let (borders, altitudes) = borders(triangle)?;
@@ -154,8 +148,8 @@ fn weight_error(triangle: &Triangle, altitudes: [f64; 3], origin: &Vec3<Taylor>)
     let [a, b, c] = triangle.corners;
     let reach = size_of(origin) + sum(a).max(sum(b)).max(sum(c));
     let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-    let area = longest * altitudes.into_iter().fold(f64::INFINITY, f64::min) * LEAST_SINE;
-    64.0 * f64::EPSILON * reach * reach / area
+    let area = longest * altitudes.into_iter().fold(f64::INFINITY, f64::min) * LEAST_RISE;
+    WEIGHT_ROUNDINGS * reach * reach / area
 }
 
 /// Sum of a point's coordinates, whatever their signs.

@@ -9,7 +9,8 @@
 use brt_geometry::{COORDINATE_ROUNDING, Mask, Primitive, Ray, RayBlock, Shaft, Start, Vec3};
 
 use super::facet::{BORDERS, Border, Facet, Facets, extremes, sum};
-use super::{LEAST_SINE, greatest_length};
+use super::greatest_length;
+use crate::margins::LEAST_RISE;
 use crate::methods::certified::candidates::Candidates;
 use crate::methods::certified::certificates::{before_light, hides_together, is_beside, shaft_of};
 use crate::products::PreparedLight;
@@ -114,7 +115,7 @@ impl Climb {
 }
 
 fn least_rise(ways: &LightWays) -> f64 {
-    LEAST_SINE * greatest_length(ways.towards.length_squared())
+    LEAST_RISE * greatest_length(ways.towards.length_squared())
 }
 
 /// A triangle in the way to a light.

@@ -35,9 +35,6 @@ const LEAST_EACH: usize = 14;
 /// Blocks that show more triangles are divided.
 const MOST_FACETS: usize = 48;
 
-/// Sine of the angle to a triangle below which a ray counts as along it.
-const LEAST_SINE: f64 = 0.02;
-
 /// Is a primitive a part of a smooth mesh whose colours can be bounded?
 pub(super) fn is_of_sheet(scene: &PreparedScene, primitive: u32) -> bool {
     let info = &scene.infos[primitive as usize];
