@@ -4,6 +4,8 @@ mod checker;
 mod clear;
 mod screen;
 mod shadow;
+#[cfg(test)]
+mod tests;
 mod tolerance;
 mod visibility;
 

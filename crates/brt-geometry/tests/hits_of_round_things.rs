@@ -1,13 +1,8 @@
-//! How far beside a primitive hits lie by rounding: less than the room that boxes and shafts have for them, and not so much
-//! less that a far smaller room would do.
+//! How far beside round primitives hits lie by rounding: far less than the room that boxes and shafts have for them. (Flat ones
+//! need the room: `margins.rs`.)
 
-use brt_geometry::{
-    BOX_MARGIN, Cone, Cylinder, LEAST_SINE, Primitive, Ray, Sphere, Start, Triangle, Vec3, vec3,
-};
+use brt_geometry::{BOX_MARGIN, Cone, Cylinder, Primitive, Ray, Sphere, Start, Triangle, Vec3, vec3};
 use brt_testkit::Random;
-
-/// The room is at most so many times the greatest distance found here: with a share of it as small as that hits would be lost.
-const SAFETY: f64 = 5000.0;
 
 /// How far a hit of a ray lies from a primitive, as a share of the way from the ray's start to the primitive's end; 0 where it
 /// does not hit.
@@ -77,42 +72,6 @@ fn hits_of_cylinders_and_cones_lie_on_them() {
         }));
     }
     assert!((1e-17..BOX_MARGIN).contains(&worst), "{worst:e} of the way");
-}
-
-/// Rays along a face meet its plane where rounding over their sine puts it: this needs the room.
-#[test]
-fn hits_of_faces_lie_within_the_room_and_need_it() {
-    let mut random = Random::new(3);
-    let mut worst = 0.0_f64;
-    for _ in 0..400_000 {
-        let (a, size) = (random.point(1.0), random.magnitude(-3.0, 0.0));
-        let corners = [a, a + random.direction() * size, a + random.direction() * size];
-        let Some(triangle) = Triangle::new(corners) else { continue };
-        let normal = triangle.plane.normal;
-        // Along the plane, just steep enough, to a place near a corner or an edge.
-        let side = corners[(1 + random.below(2)) as usize];
-        let place = a
-            + (side - a) * random.between(-0.1, 1.1)
-            + random.direction() * size * random.magnitude(-12.0, -1.0);
-        let (u, v) = normal.tangents();
-        let turn = random.between(0.0, std::f64::consts::TAU);
-        let sine = LEAST_SINE * random.between(1.0, 1.2) * if random.one_in(2) { 1.0 } else { -1.0 };
-        let direction = u * libm::cos(turn) + v * libm::sin(turn) + normal * sine;
-        let ray = Ray::new(place - direction * random.magnitude(0.0, 3.0), direction);
-        worst = worst.max(beside(&Primitive::Triangle(triangle), &ray, |p| outside(&corners, normal, p)));
-    }
-    assert!(worst < 0.5 * BOX_MARGIN, "{worst:e} of the way: too little room");
-    assert!(worst > BOX_MARGIN / SAFETY, "{worst:e} of the way: far less room would do");
-}
-
-/// How far a point lies outside of a triangle.
-fn outside(corners: &[Vec3; 3], normal: Vec3, p: Vec3) -> f64 {
-    let beyond = |i: usize| {
-        let (from, to) = (corners[i], corners[(i + 1) % 3]);
-        (to - from).cross(normal).try_normalize().map_or(0.0, |across| across.dot(p - from))
-    };
-    let off_plane = normal.dot(p - corners[0]).abs();
-    (0..3).map(beyond).fold(off_plane, f64::max)
 }
 
 #[test]
