@@ -94,6 +94,9 @@ margins! {
     /// roundings of 2⁻²⁴ (direction, its inverse, difference, product, and the shortening itself), less than eight.
     pub(crate) TREE_SLACK = 1.0 / (1 << 21) as f64, safety 4.0;
 
+    /// The point of a ray at a distance rounds by ε/2 of each coordinate, and so does the point that it started from.
+    pub(crate) START_ROUNDINGS = 4.0 * f64::EPSILON, safety 16.0;
+
     /// Where a box lies along the normal of a shaft's face, in single precision, as a share of three times the tree's reach, which
     /// is what three products sum up to: rounded normal, products and sums, nine roundings of 2⁻²⁴ of a reach at most, against
     /// 3·32.

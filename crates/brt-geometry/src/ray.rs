@@ -2,6 +2,7 @@
 
 use std::fmt::Debug;
 
+use crate::margins::START_ROUNDINGS;
 use crate::{FARTHEST, Mask, Real, Vec3};
 
 /// A half-line. The direction has any length; distances along it are in units of that length.
@@ -37,6 +38,15 @@ impl<R: Real> Ray<R> {
             let from_origin = point.lift::<R>() - origin;
             [first.dot(from_origin), second.dot(from_origin)]
         }
+    }
+
+    /// Is the point at distance `t` farther from the start than rounding? A root nearer than that is the one that the ray starts
+    /// at: from the point that it gives the same ray would start again, and meet it again, for ever.
+    #[inline(always)]
+    pub(crate) fn gets_away(&self, t: R) -> R::Mask {
+        let Vec3 { x, y, z } = self.origin;
+        let least = (x.max(-x) + y.max(-y) + z.max(-z)) * R::constant(START_ROUNDINGS);
+        (t * t * self.dd).gt(least * least)
     }
 
     /// The point at distance `t`.

@@ -22,6 +22,7 @@ fn every_margin_is_needed_but_for_its_safety() {
             "GRID_ROOM" => farthest_corner_of_a_grid() / GRID_ROOM,
             "WALK_MARGIN" => rounding_of_walks() / WALK_MARGIN,
             "TREE_SLACK" => rounding_of_slabs() / TREE_SLACK,
+            "START_ROUNDINGS" => rounding_of_points() / START_ROUNDINGS,
             "SHAFT_SLACK" => rounding_of_sides_of_boxes() / (3.0 * SHAFT_SLACK),
             "OFFSET_ROUNDINGS" => rounding_of_offsets() / OFFSET_ROUNDINGS,
             "MOMENT_ROUNDINGS" => rounding_of_moments() / MOMENT_ROUNDINGS,
@@ -174,6 +175,17 @@ fn rounding_of_slabs() -> f64 {
         let shortened = (plane - origin) * (1.0 / along as f32) * (1.0 - TREE_SLACK as f32);
         let right = (f64::from(plane) - f64::from(origin)) / along;
         (f64::from(shortened) / (1.0 - TREE_SLACK) - right).abs() / right.abs()
+    })
+}
+
+/// How far a point of a ray next to its start is from where it should be, as a share of the coordinates' sum.
+fn rounding_of_points() -> f64 {
+    worst(17, CASES, |random| {
+        let ray = Ray::new(point(random, 1.0) * 0.3, direction(random));
+        let t = random.magnitude(-18.0, -14.0);
+        let (at, o, d) = (ray.at(t), ray.origin, ray.direction);
+        let off = [(at.x, o.x, d.x), (at.y, o.y, d.y), (at.z, o.z, d.z)].map(|(x, o, d)| off(x, &(exact(o) + exact(d) * exact(t))));
+        off.into_iter().fold(0.0, f64::max) / size(o)
     })
 }
 

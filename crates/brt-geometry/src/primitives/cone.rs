@@ -52,7 +52,9 @@ impl Cone {
             Hit::at(skipped + t, crosses & h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
-            return on_side(R::constant(-2.0) * b / a);
+            let t = R::constant(-2.0) * b / a;
+            let hit = on_side(t);
+            return Hit { found: hit.found & ray.gets_away(t), t };
         }
         let c = from_axis.length_squared() - radius * radius;
         let discriminant = b * b - a * c;

@@ -37,7 +37,9 @@ impl Cylinder {
             Hit::at(t, crosses & h.ge(R::constant(self.low)) & h.le(R::constant(self.high)))
         };
         if start == Start::OnPrimitive {
-            return on_side(R::constant(-2.0) * b / a);
+            let t = R::constant(-2.0) * b / a;
+            let hit = on_side(t);
+            return Hit { found: hit.found & ray.gets_away(t), t };
         }
         // As of a sphere: the square of half the chord, from where the ray is nearest to the axis.
         let inverse = R::constant(1.0) / a;

@@ -19,7 +19,8 @@ impl Sphere {
         let b = from_center.dot(ray.direction);
         if start == Start::OnPrimitive {
             // c = 0: the roots are 0 and -2b/a.
-            return Hit::at(R::constant(-2.0) * b * ray.inv_dd, R::Mask::TRUE);
+            let t = R::constant(-2.0) * b * ray.inv_dd;
+            return Hit::at(t, ray.gets_away(t));
         }
         let zero = R::constant(0.0);
         let radius_squared = R::constant(self.radius * self.radius);
