@@ -184,7 +184,8 @@ fn rounding_of_points() -> f64 {
         let ray = Ray::new(point(random, 1.0) * 0.3, direction(random));
         let t = random.magnitude(-18.0, -14.0);
         let (at, o, d) = (ray.at(t), ray.origin, ray.direction);
-        let off = [(at.x, o.x, d.x), (at.y, o.y, d.y), (at.z, o.z, d.z)].map(|(x, o, d)| off(x, &(exact(o) + exact(d) * exact(t))));
+        let off = [(at.x, o.x, d.x), (at.y, o.y, d.y), (at.z, o.z, d.z)]
+            .map(|(x, o, d)| off(x, &(exact(o) + exact(d) * exact(t))));
         off.into_iter().fold(0.0, f64::max) / size(o)
     })
 }

@@ -1,11 +1,9 @@
 //! Broken and hostile bytes: never a panic, never a hang.
 
-mod common;
-
 use std::time::{Duration, Instant};
 
+use crate::common::{EVERYTHING, FOUR, NFF, png};
 use brt_formats::{Format, Limits, ParseError, parse, write_toml};
-use common::{EVERYTHING, FOUR, NFF, png};
 
 /// Small files with much in them.
 fn files() -> Vec<(Format, Vec<u8>)> {

@@ -1,10 +1,9 @@
 //! A scene that is written and read again is the same scene.
 
-mod common;
-
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::common::{EVERYTHING, good};
 use brt_formats::{Format, Limits, parse, write_toml};
 use brt_geometry::{Affine, Vec3, vec3};
 use brt_image::{Rgb, rgb};
@@ -12,7 +11,6 @@ use brt_scene::{
     Axis, Camera, Checker, Highlight, Light, Material, MaterialId, Mesh, Object, Projection, Scene, Shape,
     Texels, Texture, TextureAlpha, TextureFilter, Wrap,
 };
-use common::{EVERYTHING, good};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;

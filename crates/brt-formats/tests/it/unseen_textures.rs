@@ -1,13 +1,11 @@
 //! Textures of things that have no place in a picture: said once per kind, with the first of them.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
+use crate::common::{FOUR, png, warnings};
 use base64::Engine as _;
 use brt_formats::{Format, Limits, import};
-use common::{FOUR, png, warnings};
 
 /// The warnings about a file in a folder with a picture and materials, as `line: message`.
 fn said(format: Format, text: &str) -> Vec<String> {

@@ -1,12 +1,10 @@
 //! Files, and things that are no files.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
+use crate::common::{EVERYTHING, NFF};
 use brt_formats::{Format, Limits, LoadError, load};
-use common::{EVERYTHING, NFF};
 
 #[test]
 fn the_format_is_known_by_extension_or_content() {

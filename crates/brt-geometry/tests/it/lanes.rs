@@ -1,10 +1,8 @@
 //! Each lane has the bits of scalar numbers, whatever instructions compute it.
 
-mod common;
-
+use crate::common::{KINDS, random_primitive};
 use brt_geometry::{LANES, LaneMask, Lanes, Mask, Primitive, Ray, Real, SimdLevel, Start, Vec3, vec3};
 use brt_testkit::Random;
-use common::{KINDS, random_primitive};
 
 fn lanes_of(values: [Vec3; LANES]) -> Vec3<Lanes> {
     let of = |axis: usize| Lanes::from_fn(|i| values[i][axis]);

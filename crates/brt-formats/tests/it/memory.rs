@@ -1,14 +1,12 @@
 //! Small files that ask for much memory or time: they end at once, and say why. Reading ends when nobody waits.
 
-mod common;
-
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use crate::common::{EVERYTHING, NFF};
 use brt_formats::{Format, Limits, ParseError, import};
-use common::{EVERYTHING, NFF};
 
 /// As on a large machine, so that the tests do not depend on that which they run on.
 fn limits() -> Limits<'static> {

@@ -1,9 +1,7 @@
 //! Every kind of error in our own format: its line, what is wrong, what was expected.
 
-mod common;
-
+use crate::common::{EVERYTHING, errors, good};
 use brt_formats::{Format, Limits, ParseError, parse};
-use common::{EVERYTHING, errors, good};
 
 const CAMERA: &str = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov_deg = 45\n";
 

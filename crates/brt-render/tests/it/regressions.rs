@@ -1,13 +1,11 @@
 //! Mistakes that random scenes found, each as the scene that shows it.
 
-mod common;
-
+use crate::common::{differing, rendered};
 use brt_geometry::vec3;
 use brt_image::rgb;
 use brt_render::{Accelerator, BorderSettings, CertifiedSettings, Method, Run, Settings};
 use brt_scene::{Light, Material, Mesh, Scene, Shape};
 use brt_testkit::{looking, render_with_layers};
-use common::{differing, rendered};
 
 /// The eye exactly on a corner of a triangle that is otherwise behind it: the predicate finds a hit at a distance of
 /// one rounding, so the outline must not say "behind".

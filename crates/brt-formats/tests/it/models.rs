@@ -1,7 +1,5 @@
 //! Importers of models: known geometry, orientation, colours; files beside; what is said about the rest.
 
-mod common;
-
 use std::path::Path;
 
 use brt_formats::{Format, Imported, Limits, ParseError, import, load};

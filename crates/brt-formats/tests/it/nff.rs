@@ -1,12 +1,10 @@
 //! The Neutral File Format: what its words become, and what is said about the rest.
 
-mod common;
-
+use crate::common::{NFF, errors, good, warnings};
 use brt_formats::{Format, Limits, ParseError, parse};
 use brt_geometry::vec3;
 use brt_image::rgb;
 use brt_scene::{Light, Projection, Scene, Shape};
-use common::{NFF, errors, good, warnings};
 
 const VIEW: &str = "v\nfrom 0 -5 3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 1\nresolution 64 64\nl 9 9 9\n";
 

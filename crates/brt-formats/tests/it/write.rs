@@ -1,10 +1,8 @@
 //! Scenes written for other ray tracers.
 
-mod common;
-
+use crate::common::{EVERYTHING, NFF, good};
 use brt_formats::{Format, Limits, LoadError, OnlyRead, ParseError, Written, load, parse, write};
 use brt_scene::procedural;
-use common::{EVERYTHING, NFF, good};
 
 /// The smallest scene with a light, a material with everything but glass, and a sphere.
 const TINY: &str = r#"

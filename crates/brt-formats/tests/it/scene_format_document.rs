@@ -1,9 +1,7 @@
 //! Every example of the format's description is a scene.
 
-mod common;
-
+use crate::common::{good, project_file};
 use brt_formats::Format;
-use common::{good, project_file};
 
 #[test]
 fn every_example_is_a_scene() {

@@ -1,16 +1,14 @@
 //! Our own format with files beside it: pictures and meshes, read and written.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::common::{EVERYTHING, FOUR, good, png};
 use brt_formats::{Format, Limits, ParseError, Written, import, load, write_beside, write_toml};
 use brt_geometry::{Affine, vec3};
 use brt_image::rgb;
 use brt_scene::{MaterialId, Mesh, Object, Scene, Shape, Texels, Texture, TextureAlpha, TextureFilter, Wrap};
-use common::{EVERYTHING, FOUR, good, png};
 
 const CAMERA: &str = "[camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nfov_deg = 45\n";
 const CORNER: &str = "OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n";

@@ -1,12 +1,10 @@
 //! What a whole block of rays hits, by Taylor models, holds for each of its rays.
 
-mod common;
-
+use crate::common::{KINDS, random_primitive};
 use brt_geometry::{
     Aabb, Hit, LANES, LaneRays, Lanes, Mask, Primitive, Ray, RayBlock, Real, Shaft, Start, Taylor, Vec3, vec3,
 };
 use brt_testkit::Random;
-use common::{KINDS, random_primitive};
 
 /// A block of rays of a camera: column and row in, ray out.
 struct View {

@@ -1,6 +1,6 @@
 //! Pictures and layers that must not change by a code, painted as `--layers` paints them.
 //!
-//! The first product that differs is reported. `UPDATE_GOLDEN=1 cargo test -p brt-render --test golden --test counters`
+//! The first product that differs is reported. `UPDATE_GOLDEN=1 cargo test -p brt-render --test it -- golden counters`
 //! writes new images and counts; look at them before committing.
 
 use std::path::Path;

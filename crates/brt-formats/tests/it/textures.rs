@@ -1,15 +1,13 @@
 //! Pictures on surfaces, in the formats that have them.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::common::{FOUR, png};
 use base64::Engine as _;
 use brt_formats::{Format, Imported, Limits, import, load};
 use brt_scene::{Material, Mesh, Object, Scene, Shape, Texture, TextureAlpha, TextureFilter, Wrap};
-use common::{FOUR, png};
 
 fn meshes(scene: &Scene) -> Vec<Arc<Mesh>> {
     let mesh = |object: &Object| match &object.shape {

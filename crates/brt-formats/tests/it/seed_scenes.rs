@@ -1,10 +1,8 @@
 //! The scenes of the paper are there, with its counts.
 
-mod common;
-
+use crate::common::project_file;
 use brt_formats::{Limits, load};
 use brt_scene::{Scene, Shape};
-use common::project_file;
 
 fn seed(name: &str) -> Scene {
     let path = project_file(&format!("scenes/seed/{name}.toml"));
