@@ -75,19 +75,22 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
     }
     let zero = R::constant(0.0);
     let (mut least, mut greatest) = (R::constant(f64::INFINITY), R::constant(f64::NEG_INFINITY));
-    let mut sum = zero;
+    let mut area = zero;
     let mut inside = R::Mask::TRUE;
     for side in sides(corners, ray) {
-        (least, greatest, sum) = (least.min(side), greatest.max(side), sum + side);
+        (least, greatest, area) = (least.min(side), greatest.max(side), area + side);
         inside = least.ge(zero) | greatest.le(zero);
         if !inside.any() {
             return Hit::none();
         }
     }
     let found = hit.found & inside;
-    // Where all sides but two are 0, or nothing to the others, all may be rounding.
-    let rest = sum - (least + greatest);
-    let is_clear = rest.gt(zero) | rest.lt(zero);
+    // All corners are seen at most twice as far from the ray as the last, unless that is nearer than the polygon is large: then
+    // its plane (`Plane::for_area_share`) sees to it that the area is more than rounding. So products of what is seen of two
+    // corners are at most 4 times the square of how far the last is seen, and there are two for each corner.
+    let [x, y] = ray.view_along()(corners[corners.len() - 1]);
+    let products = (x * x + y * y) * R::constant(8.0 * corners.len() as f64);
+    let is_clear = area.max(-area).gt(products * R::constant(AREA_ROUNDINGS));
     if !(found & !is_clear).any() {
         return Hit { found, t: hit.t };
     }
@@ -97,7 +100,8 @@ fn flat_hit<R: Real>(plane: &Plane, corners: &[Vec3], ray: &Ray<R>, start: Start
 /// Is the area of a polygon, as seen along a ray that passes inside, more than rounding?
 ///
 /// Of a polygon smaller than what coordinates round by where the ray starts, corners are seen at one place. On which side of an
-/// edge the ray passes is then 0 for all edges, wherever it passes: such a polygon would be met all over its plane.
+/// edge the ray passes is then 0 for all edges, wherever it passes: such a polygon would be met all over its plane. One that is
+/// as thin would be met on all of the line that it lies on, where the sides of its long edges are rounding of either sign.
 #[inline(always)]
 fn is_seen<R: Real>(corners: &[Vec3], ray: &Ray<R>) -> R::Mask {
     let seen = ray.view_along();
