@@ -100,7 +100,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
 
 impl Law {
     fn broken_in(&self, path: &str, text: &str) -> Vec<String> {
-        let is_test = path.contains("/tests/") || path.contains("/benches/");
+        let is_test = path.contains("/tests/") || path.contains("/benches/") || path.ends_with("/tests.rs");
         if !path.starts_with(self.under) || path.starts_with(self.but_for) || (self.spares_tests && is_test) {
             return Vec::new();
         }
