@@ -2,8 +2,8 @@
 
 use anyhow::{Result, ensure};
 use brt_render::{
-    Accelerator, BorderSettings, Layer, LayerRows, Method, PreparedCamera, Renderer, SampleGrid, Samples,
-    Settings,
+    Accelerator, BorderSettings, Layer, LayerRows, Method, PreparedCamera, Renderer, Run, SampleGrid,
+    Samples, Settings,
 };
 use brt_scene::procedural;
 
@@ -31,7 +31,7 @@ fn count_differences(name: &str, size: u32) -> Result<u64> {
     let depths = layer(&rows, 1, |l| if let LayerRows::Depth(v) = l { Some(v) } else { None });
 
     let renderer = Renderer::new(fit(&scene)?);
-    let prepared = renderer.prepared(Accelerator::Bvh);
+    let prepared = renderer.prepared(Accelerator::Bvh, &Run::default())?;
     let grid = SampleGrid::new([size, size], Samples::One);
     let camera = PreparedCamera::new(&scene.camera, prepared.origin(), &grid);
     let differs = |i: &u32| {

@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Instant;
 
 use brt_scene::{Camera, CheckedScene};
+use rayon::ThreadPool;
 
 use crate::error::RenderError;
 use crate::job::Job;
@@ -30,9 +31,11 @@ pub fn render(
 ) -> Result<Stats, RenderError> {
     settings.check().map_err(RenderError::Settings)?;
     let begin = Instant::now();
-    let prepared = prepare(scene, settings.accelerator, run.cancel()).ok_or(RenderError::Cancelled)?;
     let window = settings.whole()?;
-    Shot { scene, prepared: &prepared, camera: &scene.camera, window, settings, run }.take(begin, sink)
+    let pool = &run.threads_to_use()?;
+    let prepared = pool.install(|| prepare(scene, settings.accelerator, run.cancel()));
+    let prepared = &prepared.ok_or(RenderError::Cancelled)?;
+    Shot { scene, prepared, camera: &scene.camera, window, settings, run, pool }.take(begin, sink)
 }
 
 /// A scene that is prepared once, when it is first rendered, for as many pictures and windows as are wanted.
@@ -68,23 +71,34 @@ impl Renderer {
         &self.scene
     }
 
-    /// The scene as the tracers see it, prepared if it is not yet.
-    pub fn prepared(&self, accelerator: Accelerator) -> &PreparedScene {
-        let prepared = self.prepared_unless(accelerator, Cancel::NEVER);
-        prepared.expect("nobody cancels it")
+    /// The scene as the tracers see it, prepared if it is not yet. It is the same on any number of threads.
+    ///
+    /// # Errors
+    /// If it is cancelled, or the machine has no more threads to give.
+    pub fn prepared(&self, accelerator: Accelerator, run: &Run) -> Result<&PreparedScene, RenderError> {
+        match self.prepared[accelerator as usize].get() {
+            Some(prepared) => Ok(prepared),
+            None => self.prepared_on(&*run.threads_to_use()?, accelerator, run.cancel()),
+        }
     }
 
-    /// `None` if that was cancelled. Whoever comes while another prepares it waits for that.
-    fn prepared_unless(&self, accelerator: Accelerator, cancel: Cancel) -> Option<&PreparedScene> {
+    /// Whoever comes while another prepares it waits for that.
+    fn prepared_on(
+        &self,
+        pool: &ThreadPool,
+        accelerator: Accelerator,
+        cancel: Cancel,
+    ) -> Result<&PreparedScene, RenderError> {
         let place = &self.prepared[accelerator as usize];
         if place.get().is_none() {
             let _alone = self.preparing.lock().unwrap_or_else(PoisonError::into_inner);
             if place.get().is_none() {
                 // Nobody else has set it since.
-                _ = place.set(prepare(&self.scene, accelerator, cancel)?);
+                let prepared = pool.install(|| prepare(&self.scene, accelerator, cancel));
+                _ = place.set(prepared.ok_or(RenderError::Cancelled)?);
             }
         }
-        place.get()
+        place.get().ok_or(RenderError::Cancelled)
     }
 
     /// Renders a window of the picture of [`Settings::size`] that this camera takes; its rows go to the sink from the top to
@@ -113,9 +127,9 @@ impl Renderer {
             )));
         }
         let begin = Instant::now();
-        let prepared =
-            self.prepared_unless(settings.accelerator, run.cancel()).ok_or(RenderError::Cancelled)?;
-        Shot { scene: &self.scene, prepared, camera, window, settings, run }.take(begin, sink)
+        let pool = &run.threads_to_use()?;
+        let prepared = self.prepared_on(pool, settings.accelerator, run.cancel())?;
+        Shot { scene: &self.scene, prepared, camera, window, settings, run, pool }.take(begin, sink)
     }
 }
 
@@ -127,6 +141,7 @@ struct Shot<'a> {
     window: Window,
     settings: &'a Settings,
     run: &'a Run<'a>,
+    pool: &'a ThreadPool,
 }
 
 impl Shot<'_> {
@@ -150,7 +165,7 @@ impl Shot<'_> {
 
         let mut counters = Counters::default();
         let mut assembler = BandAssembler::new(&grid, settings);
-        Schedule::new(&job, run)?.run(|band| {
+        Schedule::new(&job, run, self.pool).run(|band| {
             counters += band.counters;
             let rows = assembler.add_band(&band.tiles, band.colors);
             if let Some(rows) = job.crop.of(&rows) {

@@ -1,5 +1,6 @@
 //! How it is rendered: nothing here changes a byte of the picture.
 
+use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::products::Window;
@@ -34,6 +35,23 @@ const STACK: usize = 16 << 20;
 /// If the machine has no more threads to give.
 pub fn thread_pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build()
+}
+
+/// Threads to work on.
+pub(crate) enum Pool<'a> {
+    Own(ThreadPool),
+    Lent(&'a ThreadPool),
+}
+
+impl Deref for Pool<'_> {
+    type Target = ThreadPool;
+
+    fn deref(&self) -> &ThreadPool {
+        match self {
+            Self::Own(pool) => pool,
+            Self::Lent(pool) => pool,
+        }
+    }
 }
 
 /// How full ray tracing follows rays, unless ray histories are wanted as a layer, which need single ones.
@@ -71,6 +89,7 @@ pub(crate) struct Cancel<'a>(Option<&'a AtomicBool>);
 
 impl Cancel<'_> {
     /// Of what nobody cancels.
+    #[cfg(test)]
     pub(crate) const NEVER: Self = Self(None);
 
     /// `None` once the flag is set.
@@ -85,6 +104,14 @@ impl Cancel<'_> {
 }
 
 impl<'a> Run<'a> {
+    /// The threads that are lent, else new ones.
+    pub(crate) fn threads_to_use(&self) -> Result<Pool<'a>, ThreadPoolBuildError> {
+        Ok(match self.pool {
+            Some(pool) => Pool::Lent(pool),
+            None => Pool::Own(thread_pool(self.threads)?),
+        })
+    }
+
     pub(crate) fn cancel(&self) -> Cancel<'a> {
         Cancel(self.cancel)
     }

@@ -1,6 +1,6 @@
 //! Tiles over threads: groups of bands, so that memory stays proportional to the picture's width.
 
-use std::ops::{Deref, Range};
+use std::ops::Range;
 use std::sync::Mutex;
 
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use crate::picture::TilePicture;
 use crate::products::{Counters, SampleGrid, Tile, Window};
 use crate::queue::Queue;
 use crate::render_tile::render_tile;
-use crate::run::{Run, thread_pool};
+use crate::run::Run;
 
 /// Bands are rendered together until there are this many tiles for each thread.
 const TILES_PER_THREAD: u32 = 8;
@@ -23,28 +23,11 @@ const TILES_PER_THREAD: u32 = 8;
 /// another.
 const GROUPS: usize = 2;
 
-/// Threads to work on.
-enum Pool<'a> {
-    Own(ThreadPool),
-    Lent(&'a ThreadPool),
-}
-
-impl Deref for Pool<'_> {
-    type Target = ThreadPool;
-
-    fn deref(&self) -> &ThreadPool {
-        match self {
-            Self::Own(pool) => pool,
-            Self::Lent(pool) => pool,
-        }
-    }
-}
-
 /// Renders the tiles of a picture on a pool of threads.
 pub(crate) struct Schedule<'a> {
     job: &'a Job<'a>,
     run: &'a Run<'a>,
-    pool: Pool<'a>,
+    pool: &'a ThreadPool,
     /// Workers that no thread uses at the moment, kept for their buffers.
     idle: Mutex<Vec<(TileWorker<'a>, Painter<'a>)>>,
     /// Rows of bands that were taken, kept for their memory: fresh pages cost more than filling them.
@@ -68,12 +51,8 @@ struct TileTask<'r> {
 }
 
 impl<'a> Schedule<'a> {
-    pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>) -> Result<Self, RenderError> {
-        let pool = match run.pool {
-            Some(pool) => Pool::Lent(pool),
-            None => Pool::Own(thread_pool(run.threads)?),
-        };
-        Ok(Self { job, run, pool, idle: Mutex::new(Vec::new()), spare_rows: Mutex::new(Vec::new()) })
+    pub(crate) fn new(job: &'a Job<'a>, run: &'a Run<'a>, pool: &'a ThreadPool) -> Self {
+        Self { job, run, pool, idle: Mutex::new(Vec::new()), spare_rows: Mutex::new(Vec::new()) }
     }
 
     /// Renders all bands and hands them to `take`, from the top to the bottom; it gives back rows that can be used again.

@@ -75,7 +75,10 @@ fn before_rendering(c: &mut Criterion) {
     });
     for (name, scene) in [("c", scene("seed-c", None)), ("torus", torus)] {
         c.bench_function(&format!("prepare/{name}"), |b| {
-            b.iter(|| Renderer::new(scene.clone()).prepared(Accelerator::Bvh).primitive_count());
+            b.iter(|| {
+                let renderer = Renderer::new(scene.clone());
+                renderer.prepared(Accelerator::Bvh, &Run::default()).map(|scene| scene.primitive_count()).ok()
+            });
         });
         let boxes = boxes(&scene);
         c.bench_function(&format!("bvh/{name}"), |b| b.iter(|| Bvh::build(&boxes, 4)));

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use brt::{Camera, CheckedScene, Diagnostic, Light, Projection, Renderer, Vec3};
+use brt::{Camera, CheckedScene, Diagnostic, Light, Projection, Renderer, Run, Vec3};
 use clap::Args;
 use serde::Serialize;
 
@@ -71,7 +71,7 @@ enum ProjectionJson {
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
-    let inspection = Inspection::of(&input.scene, &input.report.diagnostics);
+    let inspection = Inspection::of(&input.scene, &input.report.diagnostics, &Run::default())?;
     if options.json {
         output::line(&json::text(&inspection)?)?;
     } else {
@@ -82,15 +82,15 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 impl Inspection {
-    fn of(scene: &CheckedScene, diagnostics: &[Diagnostic]) -> Self {
+    fn of(scene: &CheckedScene, diagnostics: &[Diagnostic], run: &Run) -> Result<Self, Failure> {
         // The plainest index: only what lies in it is counted.
         let renderer = Renderer::new(scene.clone());
-        let prepared = renderer.prepared(brt::Accelerator::None);
+        let prepared = renderer.prepared(brt::Accelerator::None, run)?;
         let mut objects = BTreeMap::new();
         for object in &scene.objects {
             *objects.entry(object.shape.kind()).or_default() += 1;
         }
-        Self {
+        Ok(Self {
             objects,
             primitives: prepared.primitive_count(),
             surfaces: prepared.surfaces().len(),
@@ -103,7 +103,7 @@ impl Inspection {
             max_depth: scene.max_depth,
             background: scene.background.into(),
             warnings: diagnostics.iter().map(|diagnostic| diagnostic.message.clone()).collect(),
-        }
+        })
     }
 
     fn text(&self) -> String {

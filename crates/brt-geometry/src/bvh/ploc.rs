@@ -10,6 +10,7 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::ploc::morton::morton_encode_u64;
+use rayon::prelude::*;
 
 /// How many neighbours to each side are looked at.
 const REACH: usize = 14;
@@ -28,13 +29,14 @@ pub(super) fn cluster(boxes: &[Aabb]) -> Bvh2 {
     let mut tree = Bvh2::zeroed(boxes.len());
     tree.primitive_indices = (0..boxes.len() as u32).collect();
     let mut clusters = along_curve(boxes);
-    let (mut next, mut partners, mut costs) = (Vec::new(), Vec::new(), Costs::default());
+    let (mut next, mut partners) = (Vec::new(), vec![0; boxes.len()]);
     // Children go to the end of the nodes first: they stand behind their parents.
     let mut free = tree.nodes.len();
     let mut passes = 0;
     while clusters.len() > 1 {
         let reach = if passes < SHORT_PASSES { 1 } else { REACH };
-        costs.find_partners(&clusters, reach, &mut partners);
+        partners.truncate(clusters.len());
+        find_partners(&clusters, reach, &mut partners);
         let is_joined = |&i: &usize| partners[i] != i && partners[partners[i]] == i;
         let joined = (0..clusters.len()).filter(is_joined).count() / 2;
         if joined * FEWEST_JOINED < clusters.len() {
@@ -74,9 +76,25 @@ fn along_curve(boxes: &[Aabb]) -> Vec<Bvh2Node> {
         };
         morton_encode_u64(axis(0), axis(1), axis(2))
     };
-    let mut places: Vec<(u64, u32)> = boxes.iter().map(place).zip(0..).collect();
-    places.sort_unstable();
+    let mut places: Vec<(u64, u32)> =
+        boxes.par_iter().enumerate().map(|(i, b)| (place(b), i as u32)).collect();
+    places.par_sort_unstable();
     places.iter().map(|&(_, i)| Bvh2Node::new(boxes[i as usize], 1, i)).collect()
+}
+
+/// For each cluster the one that it would best be joined with; of equally good ones the last.
+fn find_partners(clusters: &[Bvh2Node], reach: usize, partners: &mut [usize]) {
+    partners.par_chunks_mut(PORTION).enumerate().for_each_init(
+        Costs::default,
+        |costs, (portion, partners)| {
+            let begin = portion * PORTION;
+            let first = begin.saturating_sub(reach);
+            costs.measure(clusters, first, begin + partners.len(), reach);
+            for (i, partner) in (begin..).zip(partners) {
+                *partner = costs.best(i, first, clusters.len(), reach);
+            }
+        },
+    );
 }
 
 /// Half the areas of the boxes around pairs of clusters.
@@ -87,17 +105,6 @@ struct Costs {
 }
 
 impl Costs {
-    /// For each cluster the one that it would best be joined with; of equally good ones the last.
-    fn find_partners(&mut self, clusters: &[Bvh2Node], reach: usize, partners: &mut Vec<usize>) {
-        partners.clear();
-        for begin in (0..clusters.len()).step_by(PORTION) {
-            let end = (begin + PORTION).min(clusters.len());
-            let first = begin.saturating_sub(reach);
-            self.measure(clusters, first, end, reach);
-            partners.extend((begin..end).map(|i| self.best(i, first, clusters.len(), reach)));
-        }
-    }
-
     fn measure(&mut self, clusters: &[Bvh2Node], first: usize, end: usize, reach: usize) {
         for (k, costs) in (1..=reach).zip(&mut self.with_later) {
             costs.clear();

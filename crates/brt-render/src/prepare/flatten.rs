@@ -100,6 +100,12 @@ impl Flattened {
         });
     }
 
+    /// Makes room for so many primitives more.
+    pub(super) fn reserve(&mut self, count: usize) {
+        self.primitives.reserve(count);
+        self.infos.reserve(count);
+    }
+
     /// Removes primitives, together with their carriers.
     pub(super) fn remove(&mut self, is_removed: &[bool], carriers: &mut Vec<Carrier>) {
         let keeps = || is_removed.iter().map(|removed| !removed);

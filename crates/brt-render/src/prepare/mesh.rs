@@ -1,9 +1,8 @@
 //! Meshes become triangles on smooth groups.
 
-use std::collections::HashMap;
-
 use brt_geometry::{Affine, FACET_ANGLE, Primitive, Triangle, Vec3};
 use brt_scene::Mesh;
+use rayon::prelude::*;
 
 use super::flatten::{Corners, Flattened, Owner};
 
@@ -12,16 +11,17 @@ pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut F
     let mesh = &*mesh.placed(map);
     let corners = |t: &[u32; 3]| t.map(|i| mesh.positions[i as usize]);
     let solid: Vec<(&[u32; 3], Triangle)> =
-        mesh.triangles.iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
+        mesh.triangles.par_iter().filter_map(|t| Some((t, Triangle::new(corners(t))?))).collect();
     let mut groups = Groups::new(solid.len());
     let (is_smooth, has_colors) = (!mesh.normals.is_empty(), !mesh.colors.is_empty());
     let is_textured = owner.has_texture && !mesh.texcoords.is_empty();
     join_neighbours(&solid, is_smooth, &mut groups);
 
-    let mut surface_of_group: HashMap<usize, u32> = HashMap::new();
+    flat.reserve(solid.len());
+    let mut surface_of_group: Vec<Option<u32>> = vec![None; solid.len()];
     for (index, (indices, triangle)) in solid.iter().enumerate() {
         let group = groups.find(index);
-        let surface = *surface_of_group.entry(group).or_insert_with(|| flat.add_surface(owner));
+        let surface = *surface_of_group[group].get_or_insert_with(|| flat.add_surface(owner));
         let normal = |i: u32| mesh.normals[i as usize].try_normalize().unwrap_or(triangle.plane.normal);
         let corners = Corners {
             normals: is_smooth.then(|| indices.map(normal)),
@@ -34,13 +34,19 @@ pub(super) fn flatten_mesh(mesh: &Mesh, map: &Affine, owner: Owner, flat: &mut F
 
 /// Joins triangles over common edges: all in a mesh with normals, those in one plane in a mesh without.
 fn join_neighbours(triangles: &[(&[u32; 3], Triangle)], is_smooth: bool, groups: &mut Groups) {
-    let mut first_at: HashMap<(u32, u32), usize> = HashMap::with_capacity(triangles.len() * 3);
-    for (index, (corners, triangle)) in triangles.iter().enumerate() {
-        for side in 0..3 {
-            let (a, b) = (corners[side], corners[(side + 1) % 3]);
-            let other = *first_at.entry((a.min(b), a.max(b))).or_insert(index);
-            if other != index && (is_smooth || is_same_direction(triangle, &triangles[other].1)) {
-                groups.join(index, other);
+    let mut edges: Vec<([u32; 2], usize)> = triangles
+        .par_iter()
+        .enumerate()
+        .flat_map_iter(|(index, ([a, b, c], _))| {
+            [(*a, *b), (*b, *c), (*c, *a)].map(|(from, to)| ([from.min(to), from.max(to)], index))
+        })
+        .collect();
+    edges.par_sort_unstable();
+    for triangles_at in edges.chunk_by(|a, b| a.0 == b.0) {
+        let first = triangles_at[0].1;
+        for &(_, index) in &triangles_at[1..] {
+            if is_smooth || is_same_direction(&triangles[index].1, &triangles[first].1) {
+                groups.join(index, first);
             }
         }
     }

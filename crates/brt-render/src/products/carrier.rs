@@ -8,6 +8,11 @@
 pub(crate) struct Carrier(u32);
 
 impl Carrier {
+    /// The place of the primitive that it is the carrier of.
+    pub(crate) fn index(self) -> usize {
+        self.0 as usize
+    }
+
     /// What rays leave that start in empty space.
     pub(crate) const NOWHERE: Self = Self(u32::MAX);
 

@@ -75,7 +75,10 @@ fn a_face_given_twice_is_one_face() {
     let faces = faces_of_box(vec3(-1.0, -0.7, -0.6), vec3(1.0, 0.8, 0.9), turned);
     add_faces(&mut scene, &faces, material);
     let once = colors(&scene);
-    let count = |scene: &Scene| Renderer::new(checked(scene)).prepared(Accelerator::Bvh).primitive_count();
+    let count = |scene: &Scene| {
+        let renderer = Renderer::new(checked(scene));
+        renderer.prepared(Accelerator::Bvh, &Run::default()).unwrap().primitive_count()
+    };
     let alone = count(&scene);
     for reversed in [false, true] {
         let mut twice = scene.clone();
@@ -381,7 +384,8 @@ fn many_faces_almost_in_one_plane_are_prepared_in_time_that_grows_with_their_num
         let scene = checked(&scene);
         let begin = std::time::Instant::now();
         assert_eq!(
-            Renderer::new(scene).prepared(Accelerator::None).primitive_count() as u32,
+            Renderer::new(scene).prepared(Accelerator::None, &Run::default()).unwrap().primitive_count()
+                as u32,
             2 * side * side
         );
         begin.elapsed().as_secs_f64()

@@ -30,6 +30,19 @@ fn assert_same_picture(a: &Rendered, b: &Rendered, what: &str) {
     assert_eq!(counts(&a.stats), counts(&b.stats), "{what}");
 }
 
+/// Nodes that rays visit tell trees apart; a mesh of so many triangles is prepared in several portions.
+#[test]
+fn a_scene_is_prepared_the_same_on_any_number_of_threads() {
+    let torus = brt_scene::procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
+    let settings = Settings { method: Method::Full, ..Settings::new([160, 120]) };
+    let visits = |threads| render_with_layers(&torus, &settings, &Run { threads, ..Run::default() }).stats;
+    let alone = visits(1);
+    assert!(alone.nodes_visited > 10_000, "{}", alone.nodes_visited);
+    for threads in [2, 5] {
+        assert_eq!(counts(&visits(threads)), counts(&alone), "{threads} threads");
+    }
+}
+
 #[test]
 fn threads_and_tile_orders_change_no_byte_and_no_count() {
     let methods = [

@@ -7,8 +7,8 @@ use std::fmt;
 
 use brt::image::{PixelRows, straight};
 use brt::{
-    Accelerator, CheckedScene, KeptRows, Layer, LayerRows, RenderError, Renderer, Rows, Run, SampleState,
-    Settings, Transfer, Window,
+    CheckedScene, KeptRows, Layer, LayerRows, RenderError, Renderer, Rows, Run, SampleState, Settings,
+    Transfer, Window,
 };
 
 use super::options::Options;
@@ -42,16 +42,23 @@ pub(super) fn show(
     }
     let found = sink.rows.pop().ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
     output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()))?;
-    for line in describe(&found, &renderer, settings.accelerator, transfer) {
+    let object_of: Vec<usize> = renderer
+        .prepared(settings.accelerator, &run)?
+        .surfaces()
+        .iter()
+        .map(|surface| surface.object)
+        .collect();
+    for line in describe(&found, renderer.scene(), &object_of, transfer) {
         output::line(&line)?;
     }
     Ok(Outcome::Done)
 }
 
-fn describe(found: &Rows, renderer: &Renderer, accelerator: Accelerator, transfer: Transfer) -> Vec<String> {
+/// `object_of` each surface.
+fn describe(found: &Rows, scene: &CheckedScene, object_of: &[usize], transfer: Transfer) -> Vec<String> {
     let layer = |layer: &LayerRows| {
         Some(match layer {
-            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], renderer, accelerator)),
+            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene, object_of)),
             LayerRows::Depth(v) => format!("depth    {}", v[0]),
             LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
             LayerRows::History(v) => format!("history  {:016x}", v[0].0),
@@ -80,15 +87,14 @@ fn covering(pixel: PixelRows) -> ([f32; 3], f32) {
     (straight(pixel.colors[0], alpha), alpha)
 }
 
-fn surface(id: u32, renderer: &Renderer, accelerator: Accelerator) -> String {
-    let scene = renderer.scene();
-    let Some(surface) = renderer.prepared(accelerator).surfaces().get(id as usize) else {
+fn surface(id: u32, scene: &CheckedScene, object_of: &[usize]) -> String {
+    let Some(&index) = object_of.get(id as usize) else {
         return "none: the background".to_owned();
     };
-    let Some(object) = scene.objects.get(surface.object) else { return id.to_string() };
+    let Some(object) = scene.objects.get(index) else { return id.to_string() };
     let name = object.name.as_ref().map(|name| format!(" \"{name}\"")).unwrap_or_default();
     let material = scene.materials.get(object.material.0 as usize).map_or("", |m| m.name.as_str());
-    format!("{id}, of object {}: {}{name}, material \"{material}\"", surface.object, object.shape.kind())
+    format!("{id}, of object {index}: {}{name}, material \"{material}\"", object.shape.kind())
 }
 
 fn state(state: SampleState) -> &'static str {

@@ -28,8 +28,8 @@ pub(in crate::prepare) fn duplicates(
     carriers: &[Carrier],
     materials: &[PreparedMaterial],
 ) -> Vec<bool> {
-    let mut users: HashMap<Carrier, u32> = HashMap::with_capacity(primitives.len());
-    carriers.iter().for_each(|carrier| *users.entry(*carrier).or_default() += 1);
+    let mut users = vec![0_u32; primitives.len()];
+    carriers.iter().for_each(|carrier| users[carrier.index()] += 1);
     let stands_for = |other: usize, id: usize| {
         let hides_more = infos[id].casts_shadow && !infos[other].casts_shadow;
         let material = &materials[infos[other].material as usize];
@@ -42,7 +42,7 @@ pub(in crate::prepare) fn duplicates(
     let mut kept: HashMap<(Carrier, Part), Vec<usize>> = HashMap::new();
     let mut is_duplicate = vec![false; primitives.len()];
     for (id, (primitive, carrier)) in primitives.iter().zip(carriers).enumerate() {
-        if users[carrier] == 1 {
+        if users[carrier.index()] == 1 {
             continue;
         }
         let others = kept.entry((*carrier, part_of(primitive))).or_default();

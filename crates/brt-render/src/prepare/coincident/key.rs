@@ -1,6 +1,7 @@
 //! Numbers by which primitives that may share a carrier are found next to each other.
 
 use brt_geometry::{Aabb, Primitive, Vec3, vec3};
+use rayon::prelude::*;
 
 use crate::margins::{KEY_ROUNDINGS, WORST_KEY};
 
@@ -34,11 +35,11 @@ pub(super) fn keys(primitives: &[Primitive], bounds: &Aabb, offset: f64) -> Vec<
         along: vec3(0.563, -0.327, 0.759),
         offset,
     };
-    let keys = (0_u32..).zip(primitives).map(|(id, primitive)| {
+    let keys = primitives.par_iter().enumerate().map(|(id, primitive)| {
         let (place, error, size) = view.place_of(primitive);
         let error = error.min(WORST_KEY * (place - view.from).length());
         let rounding = KEY_ROUNDINGS * (place.length() + view.from.length() + offset);
-        Key { number: place.dot(view.along), error: error + rounding, size, id }
+        Key { number: place.dot(view.along), error: error + rounding, size, id: id as u32 }
     });
     keys.collect()
 }
@@ -124,7 +125,9 @@ pub(super) fn reach(points: &[Vec3]) -> f64 {
 
 /// Runs of keys whose numbers may be the same but for their errors; alone is no run.
 pub(super) fn runs(keys: &mut [Key]) -> impl Iterator<Item = &mut [Key]> {
-    keys.sort_unstable_by(|a, b| (a.number - a.error).total_cmp(&(b.number - b.error)).then(a.id.cmp(&b.id)));
+    keys.par_sort_unstable_by(|a, b| {
+        (a.number - a.error).total_cmp(&(b.number - b.error)).then(a.id.cmp(&b.id))
+    });
     let mut rest = keys;
     std::iter::from_fn(move || {
         loop {
