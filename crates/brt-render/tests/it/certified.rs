@@ -14,9 +14,9 @@ use proptest::prelude::*;
 
 /// How far from full ray tracing a picture may be, and how it is stored.
 #[derive(Clone, Copy)]
-struct Promise {
-    tolerance: f64,
-    transfer: Transfer,
+pub(crate) struct Promise {
+    pub(crate) tolerance: f64,
+    pub(crate) transfer: Transfer,
 }
 
 impl Default for Promise {
@@ -46,7 +46,7 @@ fn is_kept(picture: &Rendered, certified: Promise, settings: &Settings, i: usize
 }
 
 /// Renders a scene and checks every pixel.
-fn checked(scene: &Scene, certified: Promise, settings: &Settings) -> Result<Rendered, String> {
+pub(crate) fn checked(scene: &Scene, certified: Promise, settings: &Settings) -> Result<Rendered, String> {
     let settings = Settings {
         method: Method::Certified(CertifiedSettings { tolerance: certified.tolerance }),
         layers: vec![Layer::State, Layer::Certificates],

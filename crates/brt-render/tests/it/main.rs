@@ -15,6 +15,7 @@ mod hard_scenes;
 mod known_colors;
 mod known_surfaces;
 mod lost_highlight;
+mod many_lights;
 mod pencils;
 mod regressions;
 mod run_and_settings;

@@ -5,7 +5,7 @@ use brt_image::Rgb;
 
 use super::candidates::Candidates;
 use super::certificates::{Clear, cell_color, first_seen, lighting};
-use super::known_history::{KnownHistory, KnownLighting, KnownSight, Level, MOST_LEVELS};
+use super::known_history::{KnownHistory, KnownLighting, KnownSight, Level, Lightings, MOST_LEVELS};
 use crate::prepare::PreparedCamera;
 use crate::products::{Area, Carrier, Certificate, CertificateCounts, NOTHING, PreparedScene};
 use crate::tracing::{Patch, constant};
@@ -22,6 +22,7 @@ pub(super) enum Outcome {
 pub(super) struct Follower<'a> {
     pub(super) scene: &'a PreparedScene,
     pub(super) candidates: Candidates<'a>,
+    pub(super) lightings: Lightings,
     pub(super) counts: CertificateCounts,
     camera: &'a PreparedCamera,
     max_depth: u32,
@@ -37,7 +38,8 @@ struct Way {
 impl<'a> Follower<'a> {
     pub(super) fn new(scene: &'a PreparedScene, camera: &'a PreparedCamera, max_depth: u32) -> Self {
         let candidates = Candidates::new(scene);
-        Self { scene, candidates, counts: CertificateCounts::default(), camera, max_depth }
+        let lightings = Lightings::new(scene.lights.len());
+        Self { scene, candidates, lightings, counts: CertificateCounts::default(), camera, max_depth }
     }
 
     /// Proves what can be proven of a block, given what is known already.
@@ -109,14 +111,14 @@ impl<'a> Follower<'a> {
         }
         let body = body.unwrap_or(patch.material.color);
         let mut color = patch.ambient(body);
+        let lights = self.lightings.inherit(level.lights);
+        level.lights = Some(lights);
         for (index, light) in self.scene.lights.iter().enumerate() {
-            let Some(known) = level.lights.get_mut(index) else {
-                way.failed = way.failed.or(Some(Certificate::Size));
-                break;
-            };
+            let mut known = self.lightings.of(lights, index);
             let ways = patch.ways_to(light);
             if !known.is_settled() {
-                *known = lighting(&mut self.candidates, patch, left, light, &ways, *known);
+                known = lighting(&mut self.candidates, patch, left, light, &ways, known);
+                self.lightings.set(lights, index, known);
                 if !self.counts.note(Certificate::Shadow, known.is_settled()) {
                     way.failed = way.failed.or(Some(Certificate::Shadow));
                 }

@@ -3,9 +3,8 @@
 use super::candidates::{List, Lists};
 use crate::tracing::{Guide, Lighting, Sight};
 
-/// Levels and lights beyond these are left to rays.
+/// Levels beyond these are left to rays.
 pub(super) const MOST_LEVELS: usize = 8;
-pub(super) const MOST_LIGHTS: usize = 8;
 
 /// What all rays of a block meet at one level.
 #[derive(Clone, Copy, Debug)]
@@ -31,15 +30,67 @@ impl KnownLighting {
     }
 }
 
+/// How the points of a block at one level see all lights: a place in [`Lightings`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct LevelLights(u32);
+
+/// How the points of all blocks that are open see the lights, each block's behind its parent's.
+#[derive(Debug)]
+pub(super) struct Lightings {
+    /// Number of lights.
+    lights: usize,
+    known: Vec<KnownLighting>,
+}
+
+impl Lightings {
+    /// Of a scene with so many lights.
+    pub(super) fn new(lights: usize) -> Self {
+        Self { lights, known: Vec::new() }
+    }
+
+    /// For [`Self::release`].
+    pub(super) fn mark(&self) -> usize {
+        self.known.len()
+    }
+
+    /// Forgets all that was kept since the mark.
+    pub(super) fn release(&mut self, mark: usize) {
+        self.known.truncate(mark);
+    }
+
+    /// A copy that may be written to; nothing is known where there is none yet.
+    pub(super) fn inherit(&mut self, from: Option<LevelLights>) -> LevelLights {
+        let first = self.known.len();
+        match from {
+            Some(LevelLights(from)) => {
+                let from = from as usize;
+                self.known.extend_from_within(from..from + self.lights);
+            }
+            None => self.known.resize(first + self.lights, KnownLighting::Unknown),
+        }
+        LevelLights(first as u32)
+    }
+
+    /// How a light is seen.
+    pub(super) fn of(&self, level: LevelLights, light: usize) -> KnownLighting {
+        self.known[level.0 as usize + light]
+    }
+
+    pub(super) fn set(&mut self, level: LevelLights, light: usize, known: KnownLighting) {
+        self.known[level.0 as usize + light] = known;
+    }
+}
+
 /// One level of a history.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Level {
     pub(super) sight: KnownSight,
-    pub(super) lights: [KnownLighting; MOST_LIGHTS],
+    /// `None` where no light was looked at.
+    pub(super) lights: Option<LevelLights>,
 }
 
 impl Level {
-    const UNKNOWN: Self = Self { sight: KnownSight::Unknown, lights: [KnownLighting::Unknown; MOST_LIGHTS] };
+    const UNKNOWN: Self = Self { sight: KnownSight::Unknown, lights: None };
 }
 
 /// What is known of a block. Its parts inherit it.
@@ -67,8 +118,8 @@ impl KnownHistory {
     }
 
     /// For tracing a sample of the block.
-    pub(super) fn guide<'a>(&'a self, lists: &'a Lists) -> KnownGuide<'a> {
-        KnownGuide { levels: &self.levels, lists }
+    pub(super) fn guide<'a>(&'a self, lists: &'a Lists, lightings: &'a Lightings) -> KnownGuide<'a> {
+        KnownGuide { levels: &self.levels, lists, lightings }
     }
 }
 
@@ -78,15 +129,16 @@ pub(super) struct KnownGuide<'a> {
     /// From the current hit on; never empty.
     levels: &'a [Level],
     lists: &'a Lists,
+    lightings: &'a Lightings,
 }
 
 impl Guide for KnownGuide<'_> {
     #[inline]
     fn lighting(&self, light: usize) -> Lighting<'_> {
-        let known = self.levels.first().and_then(|level| level.lights.get(light));
-        match known {
+        let lights = self.levels.first().and_then(|level| level.lights);
+        match lights.map(|lights| self.lightings.of(lights, light)) {
             None | Some(KnownLighting::Unknown) => Lighting::Unknown,
-            Some(KnownLighting::Among(list)) => Lighting::Among(self.lists.get(*list)),
+            Some(KnownLighting::Among(list)) => Lighting::Among(self.lists.get(list)),
             Some(KnownLighting::Seen) => Lighting::Seen,
             Some(KnownLighting::Hidden) => Lighting::Hidden,
         }

@@ -45,7 +45,7 @@ impl Certified<'_, '_> {
 
     /// Traces samples together.
     fn trace_batch(&mut self, batch: &Batch, history: &KnownHistory, (state, failed): Reason) {
-        let guide = history.guide(&self.follower.candidates.lists);
+        let guide = history.guide(&self.follower.candidates.lists, &self.follower.lightings);
         let worker = &mut *self.worker;
         let (first, tile) = (history.first(), self.tile);
         if worker.wants_histories {
