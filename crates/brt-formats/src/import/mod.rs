@@ -9,6 +9,7 @@ mod geometry;
 mod instances;
 mod notices;
 mod picture;
+mod picture_decoder;
 mod polygon;
 mod weld;
 

@@ -1,15 +1,14 @@
 //! Pictures on surfaces: PNG and JPEG as texels.
 //!
-//! Decoded by the `image` crate. What a picture claims to be is held against the budget before memory is spent on it.
+//! What a picture claims to be is held against the budget before memory is spent on it.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::io::Cursor;
 use std::sync::Arc;
 
 use brt_scene::Texels;
-use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 
+use super::picture_decoder::PictureDecoder;
 use crate::budget::Budget;
 
 /// A picture, or why there is none, fit to follow its name.
@@ -46,77 +45,29 @@ impl<'b> Pictures<'b> {
     }
 
     fn decode(&mut self, name: &str, bytes: &[u8]) -> Result<Texels, String> {
-        let format = format_of(bytes)?;
-        let reader = ImageReader::with_format(Cursor::new(bytes), format);
-        let mut decoder = reader.into_decoder().map_err(|error| short(&error))?;
-        let (width, height) = decoder.dimensions();
+        let decoder = PictureDecoder::new(bytes)?;
+        let [width, height] = decoder.size();
         let pixels = u64::from(width) * u64::from(height);
         if pixels == 0 {
             return Err("it has no pixels".to_owned());
         }
-        let passing = passing_bytes(&decoder, format, pixels);
+        let passing = decoder.passing_bytes(pixels);
         let what = || format!("a picture of {width} × {height} pixels");
         let texels = pixels.saturating_mul(4);
         self.budget.take(texels.saturating_add(passing), what).map_err(|halt| halt.text())?;
-        decoder.set_limits(surroundings(passing)).map_err(|error| short(&error))?;
         let mut rgba = self.budget.list(pixels as usize, what).map_err(|halt| halt.text())?;
-        if decoder.color_type() == ColorType::Rgba8 {
-            rgba.resize(pixels as usize, [0; 4]);
-            decoder.read_image(rgba.as_flattened_mut()).map_err(|error| short(&error))?;
-        } else {
-            let picture = DynamicImage::from_decoder(decoder).map_err(|error| short(&error))?.into_rgba8();
-            rgba.extend_from_slice(picture.as_raw().as_chunks::<4>().0);
-        }
+        decoder.decode(&mut rgba)?;
         self.budget.give_back(passing);
+        if rgba.len() as u64 != pixels {
+            return Err("its first frame is not the whole picture".to_owned());
+        }
         Ok(Texels { name: name.to_owned(), width, height, rgba })
     }
 }
 
-/// Bytes beside the texels that are needed while a picture is decoded: its pixels as they are stored, and as they become
-/// texels; for a progressive JPEG all its coefficients.
-fn passing_bytes(decoder: &impl ImageDecoder, format: ImageFormat, pixels: u64) -> u64 {
-    const COEFFICIENTS: u64 = 6;
-    let converted = match decoder.color_type() {
-        ColorType::Rgba8 => 0,
-        _ => decoder.total_bytes().saturating_add(pixels.saturating_mul(4)),
-    };
-    let coefficients = if format == ImageFormat::Jpeg { pixels.saturating_mul(COEFFICIENTS) } else { 0 };
-    converted.saturating_add(coefficients)
-}
-
-/// Room for pixels and for what surrounds them: rows, tables and texts.
-fn surroundings(bytes: u64) -> image::Limits {
-    const SURROUNDINGS: u64 = 64 << 20;
-    let mut limits = image::Limits::default();
-    limits.max_alloc = Some(bytes.saturating_add(SURROUNDINGS));
-    limits
-}
-
-/// By content alone: names lie.
-fn format_of(bytes: &[u8]) -> Result<ImageFormat, String> {
-    /// A scan may be a few bytes and costs as much time as all the picture. Progressive files have about ten.
-    const MOST_SCANS: usize = 200;
-    if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-        return Ok(ImageFormat::Png);
-    }
-    if !bytes.starts_with(b"\xff\xd8\xff") {
-        return Err("it is neither PNG nor JPEG".to_owned());
-    }
-    let scans = bytes.windows(2).filter(|pair| pair == b"\xff\xda").count();
-    if scans > MOST_SCANS {
-        return Err(format!("it has {scans} scans"));
-    }
-    Ok(ImageFormat::Jpeg)
-}
-
-/// The first line of a decoder's message.
-fn short(error: &image::ImageError) -> String {
-    error.to_string().lines().next().unwrap_or_default().chars().take(200).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use image::{ColorType, ImageEncoder as _, codecs::png::PngEncoder};
+    use png::{BitDepth, ColorType, Encoder};
 
     use super::*;
     use crate::Limits;
@@ -125,28 +76,32 @@ mod tests {
         Pictures::new(&Budget::new(&Limits::default())).decode("x", bytes)
     }
 
-    fn png(pixels: &[u8], width: u32, height: u32, kind: ColorType) -> Vec<u8> {
+    fn png(pixels: &[u8], width: u32, height: u32, kind: ColorType, depth: BitDepth) -> Vec<u8> {
         let mut bytes = Vec::new();
-        PngEncoder::new(&mut bytes).write_image(pixels, width, height, kind.into()).unwrap();
+        let mut encoder = Encoder::new(&mut bytes, width, height);
+        encoder.set_color(kind);
+        encoder.set_depth(depth);
+        encoder.write_header().unwrap().write_image_data(pixels).unwrap();
         bytes
     }
 
     #[test]
     fn all_kinds_of_png_become_the_same() {
         let grey = [[80, 80, 80, 255], [200, 200, 200, 255]];
-        let [a, b] = [80_u16 * 257, 200 * 257].map(u16::to_ne_bytes);
-        for (pixels, kind) in [
-            (vec![80, 200], ColorType::L8),
-            (vec![80, 255, 200, 255], ColorType::La8),
-            (vec![80, 80, 80, 200, 200, 200], ColorType::Rgb8),
-            ([a, b].concat(), ColorType::L16),
-            ([a, a, a, b, b, b].concat(), ColorType::Rgb16),
+        let [a, b] = [80_u16 * 257, 200 * 257].map(u16::to_be_bytes);
+        let (eight, sixteen) = (BitDepth::Eight, BitDepth::Sixteen);
+        for (pixels, kind, depth) in [
+            (vec![80, 200], ColorType::Grayscale, eight),
+            (vec![80, 255, 200, 255], ColorType::GrayscaleAlpha, eight),
+            (vec![80, 80, 80, 200, 200, 200], ColorType::Rgb, eight),
+            ([a, b].concat(), ColorType::Grayscale, sixteen),
+            ([a, a, a, b, b, b].concat(), ColorType::Rgb, sixteen),
         ] {
-            let texels = decoded(&png(&pixels, 2, 1, kind)).unwrap();
+            let texels = decoded(&png(&pixels, 2, 1, kind, depth)).unwrap();
             assert_eq!((texels.width, texels.height), (2, 1));
-            assert_eq!(texels.rgba, grey, "{kind:?}");
+            assert_eq!(texels.rgba, grey, "{kind:?} {depth:?}");
         }
-        let alpha = decoded(&png(&[1, 2, 3, 4], 1, 1, ColorType::Rgba8)).unwrap();
+        let alpha = decoded(&png(&[1, 2, 3, 4], 1, 1, ColorType::Rgba, eight)).unwrap();
         assert_eq!(alpha.rgba, [[1, 2, 3, 4]]);
     }
 
@@ -182,7 +137,7 @@ mod tests {
 
     #[test]
     fn broken_pictures_are_refused() {
-        let whole = png(&[7; 300], 10, 10, ColorType::Rgb8);
+        let whole = png(&[7; 300], 10, 10, ColorType::Rgb, BitDepth::Eight);
         for end in [0, 4, 8, 20, whole.len() / 2] {
             assert!(decoded(&whole[..end]).is_err(), "{end}");
         }
@@ -192,9 +147,9 @@ mod tests {
 
     #[test]
     fn pictures_are_decoded_once_and_counted_together() {
-        let budget = Budget::new(&Limits { memory: 1200, ..Limits::default() });
+        let budget = Budget::new(&Limits { memory: 1000, ..Limits::default() });
         let mut pictures = Pictures::new(&budget);
-        let bytes = png(&[7; 300], 10, 10, ColorType::Rgb8);
+        let bytes = png(&[7; 300], 10, 10, ColorType::Rgb, BitDepth::Eight);
         let first = pictures.get("a", || Ok(bytes.as_slice().into())).unwrap();
         let again = pictures.get("a", || Err("not read again".to_owned())).unwrap();
         assert!(Arc::ptr_eq(&first, &again));

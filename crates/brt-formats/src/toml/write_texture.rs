@@ -5,8 +5,6 @@ use std::sync::Arc;
 
 use base64::Engine as _;
 use brt_scene::{Texels, Texture, TextureAlpha, TextureFilter, Wrap};
-use image::ImageEncoder as _;
-use image::codecs::png::PngEncoder;
 
 use super::write::{Writer, quoted};
 use crate::numerals::number;
@@ -68,10 +66,12 @@ fn word(wrap: Wrap) -> &'static str {
 pub(super) fn png(texels: &Texels) -> Vec<u8> {
     let mut bytes = Vec::new();
     let pixels = texels.rgba.as_flattened();
-    let kind = image::ExtendedColorType::Rgba8;
     if texels.rgba.len() as u64 == u64::from(texels.width) * u64::from(texels.height) {
+        let mut encoder = png::Encoder::new(&mut bytes, texels.width, texels.height);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.set_depth(png::BitDepth::Eight);
         // Writing to memory does not fail.
-        let _ = PngEncoder::new(&mut bytes).write_image(pixels, texels.width, texels.height, kind);
+        let _ = encoder.write_header().and_then(|mut writer| writer.write_image_data(pixels));
     }
     bytes
 }

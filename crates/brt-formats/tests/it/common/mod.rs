@@ -47,10 +47,11 @@ fn listed(report: &Report, text: &str, severity: Severity) -> Vec<String> {
 
 /// A picture as PNG.
 pub(crate) fn png(width: u32, height: u32, rgba: &[[u8; 4]]) -> Vec<u8> {
-    use image::ImageEncoder as _;
     let mut bytes = Vec::new();
-    let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
-    encoder.write_image(rgba.as_flattened(), width, height, image::ExtendedColorType::Rgba8).unwrap();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.write_header().unwrap().write_image_data(rgba.as_flattened()).unwrap();
     bytes
 }
 
