@@ -1,6 +1,8 @@
 //! The whole method on one screen.
 
+use std::panic::resume_unwind;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::thread;
 use std::time::Instant;
 
 use brt_scene::{Camera, CheckedScene};
@@ -12,7 +14,7 @@ use crate::perspective::Outlines;
 use crate::picture::{BandAssembler, Crop, Sink};
 use crate::prepare::{PreparedCamera, prepare};
 use crate::products::{Counters, PreparedScene, SampleGrid, Stats, Window};
-use crate::run::{Cancel, Run};
+use crate::run::{Run, thread_pool};
 use crate::schedule::Schedule;
 use crate::settings::{Accelerator, Settings};
 use crate::tracing::BoundingSpheres;
@@ -78,24 +80,18 @@ impl Renderer {
     pub fn prepared(&self, accelerator: Accelerator, run: &Run) -> Result<&PreparedScene, RenderError> {
         match self.prepared[accelerator as usize].get() {
             Some(prepared) => Ok(prepared),
-            None => self.prepared_on(&*run.threads_to_use()?, accelerator, run.cancel()),
+            None => self.prepare_once(accelerator, run),
         }
     }
 
     /// Whoever comes while another prepares it waits for that.
-    fn prepared_on(
-        &self,
-        pool: &ThreadPool,
-        accelerator: Accelerator,
-        cancel: Cancel,
-    ) -> Result<&PreparedScene, RenderError> {
+    fn prepare_once(&self, accelerator: Accelerator, run: &Run) -> Result<&PreparedScene, RenderError> {
         let place = &self.prepared[accelerator as usize];
         if place.get().is_none() {
             let _alone = self.preparing.lock().unwrap_or_else(PoisonError::into_inner);
             if place.get().is_none() {
                 // Nobody else has set it since.
-                let prepared = pool.install(|| prepare(&self.scene, accelerator, cancel));
-                _ = place.set(prepared.ok_or(RenderError::Cancelled)?);
+                _ = place.set(prepare_apart(&self.scene, accelerator, run)?);
             }
         }
         place.get().ok_or(RenderError::Cancelled)
@@ -127,10 +123,29 @@ impl Renderer {
             )));
         }
         let begin = Instant::now();
+        let prepared = self.prepared(settings.accelerator, run)?;
         let pool = &run.threads_to_use()?;
-        let prepared = self.prepared_on(pool, settings.accelerator, run.cancel())?;
         Shot { scene: &self.scene, prepared, camera, window, settings, run, pool }.take(begin, sink)
     }
+}
+
+/// Prepares a scene on threads that nobody else has.
+///
+/// A thread of a pool that waits for another pool takes up other work meanwhile. That might be the next window of the scene:
+/// it would wait for what the same thread has begun. And the threads that are lent may all wait for it. A plain thread does
+/// nothing but wait.
+fn prepare_apart(
+    scene: &CheckedScene,
+    accelerator: Accelerator,
+    run: &Run,
+) -> Result<PreparedScene, RenderError> {
+    let threads = run.pool.map_or(run.threads, ThreadPool::current_num_threads);
+    let cancel = run.cancel();
+    let work = || -> Result<PreparedScene, RenderError> {
+        let prepared = thread_pool(threads)?.install(|| prepare(scene, accelerator, cancel));
+        prepared.ok_or(RenderError::Cancelled)
+    };
+    thread::scope(|scope| scope.spawn(work).join()).unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 /// A window of a picture, about to be rendered.

@@ -71,7 +71,8 @@ enum ProjectionJson {
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
-    let inspection = Inspection::of(&input.scene, &input.report.diagnostics, &Run::default())?;
+    let run = Run { cancel: Some(context.interrupt.flag()), ..Run::default() };
+    let inspection = Inspection::of(&input.scene, &input.report.diagnostics, &run)?;
     if options.json {
         output::line(&json::text(&inspection)?)?;
     } else {

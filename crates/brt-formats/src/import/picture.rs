@@ -56,11 +56,9 @@ impl<'b> Pictures<'b> {
         let texels = pixels.saturating_mul(4);
         self.budget.take(texels.saturating_add(passing), what).map_err(|halt| halt.text())?;
         let mut rgba = self.budget.list(pixels as usize, what).map_err(|halt| halt.text())?;
-        decoder.decode(&mut rgba)?;
+        let decoded = decoder.decode(&mut rgba);
         self.budget.give_back(passing);
-        if rgba.len() as u64 != pixels {
-            return Err("its first frame is not the whole picture".to_owned());
-        }
+        decoded?;
         Ok(Texels { name: name.to_owned(), width, height, rgba })
     }
 }
@@ -103,6 +101,41 @@ mod tests {
         }
         let alpha = decoded(&png(&[1, 2, 3, 4], 1, 1, ColorType::Rgba, eight)).unwrap();
         assert_eq!(alpha.rgba, [[1, 2, 3, 4]]);
+    }
+
+    #[test]
+    fn sixteen_bits_are_rounded_to_the_nearest_of_eight() {
+        let levels = [0x0000_u16, 0x0080, 0x0081, 0x7F7E, 0x7F80, 0xFF7E, 0xFF7F, 0xFFFF];
+        let bytes: Vec<u8> = levels.into_iter().flat_map(u16::to_be_bytes).collect();
+        let texels = decoded(&png(&bytes, 8, 1, ColorType::Grayscale, BitDepth::Sixteen)).unwrap();
+        let found: Vec<u8> = texels.rgba.iter().map(|texel| texel[0]).collect();
+        let nearest = levels.map(|level| (f64::from(level) / 257.0).round() as u8);
+        assert_eq!(found, nearest);
+    }
+
+    #[test]
+    fn palettes_and_transparent_colors_become_texels() {
+        let texels = decoded(include_bytes!("pictures_for_tests/palette.png")).unwrap();
+        assert_eq!(texels.rgba, [[10, 20, 30, 255], [40, 50, 60, 0], [70, 80, 90, 255]]);
+        let one_bit = decoded(&png(&[0b0100_0000], 2, 1, ColorType::Grayscale, BitDepth::One)).unwrap();
+        assert_eq!(one_bit.rgba, [[0, 0, 0, 255], [255; 4]]);
+    }
+
+    #[test]
+    fn all_kinds_of_jpeg_become_texels() {
+        for (bytes, color) in [
+            (&include_bytes!("pictures_for_tests/color.jpg")[..], [200, 120, 40]),
+            (include_bytes!("pictures_for_tests/progressive.jpg"), [200, 120, 40]),
+            (include_bytes!("pictures_for_tests/grey.jpg"), [90, 90, 90]),
+            (include_bytes!("pictures_for_tests/cmyk.jpg"), [200, 120, 40]),
+        ] {
+            let texels = decoded(bytes).unwrap();
+            assert_eq!((texels.width, texels.height, texels.rgba.len()), (16, 8, 128));
+            for [r, g, b, alpha] in &texels.rgba {
+                let is_near = [r, g, b].into_iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 2);
+                assert!(is_near && *alpha == 255, "{r} {g} {b} {alpha} instead of {color:?}");
+            }
+        }
     }
 
     /// A PNG by hand: chunks are not checked by the decoder beyond their sums, which are computed here.

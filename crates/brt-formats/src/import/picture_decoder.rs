@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use png::{BitDepth, Transformations};
+use png::{BitDepth, ColorType, Transformations};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
@@ -11,10 +11,13 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 /// Memory that the library for PNG may take beside the pixels: rows, tables and texts.
 const SURROUNDINGS: usize = 64 << 20;
 
+/// What is stored just as texels are.
+const AS_TEXELS: (ColorType, BitDepth) = (ColorType::Rgba, BitDepth::Eight);
+
 /// A picture whose head is read.
 pub(super) enum PictureDecoder<'b> {
     Png(png::Reader<Cursor<&'b [u8]>>),
-    Jpeg { decoder: JpegDecoder<ZCursor<&'b [u8]>>, size: [u32; 2], channels: u64 },
+    Jpeg { decoder: JpegDecoder<ZCursor<&'b [u8]>>, size: [u32; 2], components: u8 },
 }
 
 impl<'b> PictureDecoder<'b> {
@@ -34,6 +37,7 @@ impl<'b> PictureDecoder<'b> {
         let limits = png::Limits { bytes: SURROUNDINGS };
         let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
         decoder.set_ignore_text_chunk(true);
+        decoder.set_ignore_iccp_chunk(true);
         // Palettes become colours, small depths 8 bits, a transparent colour an opacity.
         decoder.set_transformations(Transformations::EXPAND);
         Ok(Self::Png(decoder.read_info()?))
@@ -46,12 +50,15 @@ impl<'b> PictureDecoder<'b> {
             .set_max_height(usize::from(u16::MAX));
         let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
         decoder.decode_headers().map_err(|error| short(&error.to_string()))?;
-        let is_grey = decoder.input_colorspace() == Some(ColorSpace::Luma);
-        let (space, channels) = if is_grey { (ColorSpace::Luma, 1) } else { (ColorSpace::RGB, 3) };
-        decoder.set_options(options.jpeg_set_out_colorspace(space));
         let info = decoder.info().ok_or("it has no frame")?;
+        let space = match info.components {
+            1 => ColorSpace::Luma,
+            3 | 4 => ColorSpace::RGB,
+            other => return Err(format!("it has {other} components")),
+        };
+        decoder.set_options(options.jpeg_set_out_colorspace(space));
         let size = [u32::from(info.width), u32::from(info.height)];
-        Ok(Self::Jpeg { decoder, size, channels })
+        Ok(Self::Jpeg { decoder, size, components: info.components })
     }
 
     /// Width and height in pixels.
@@ -65,20 +72,26 @@ impl<'b> PictureDecoder<'b> {
     /// Bytes that so many pixels need beside their texels while they are decoded: as they are stored, those of 16 bits
     /// rounded to 8, and for a progressive JPEG all its coefficients.
     pub(super) fn passing_bytes(&self, pixels: u64) -> u64 {
-        const COEFFICIENTS: u64 = 6;
+        const COEFFICIENT: u64 = 2;
         match self {
+            Self::Png(reader) if reader.output_color_type() == AS_TEXELS => 0,
             Self::Png(reader) => {
                 let stored = reader.output_buffer_size().unwrap_or(usize::MAX) as u64;
                 let is_deep = reader.output_color_type().1 == BitDepth::Sixteen;
                 stored.saturating_add(if is_deep { stored / 2 } else { 0 })
             }
-            Self::Jpeg { channels, .. } => pixels.saturating_mul(channels + COEFFICIENTS),
+            Self::Jpeg { components, .. } => pixels.saturating_mul(3 + COEFFICIENT * u64::from(*components)),
         }
     }
 
     /// Adds all texels, row by row from the top.
     pub(super) fn decode(self, texels: &mut Vec<[u8; 4]>) -> Result<(), String> {
         match self {
+            Self::Png(mut reader) if reader.output_color_type() == AS_TEXELS => {
+                let [width, height] = [reader.info().width, reader.info().height];
+                texels.resize(width as usize * height as usize, [0; 4]);
+                reader.next_frame(texels.as_flattened_mut()).map_err(|error| short(&error.to_string()))?;
+            }
             Self::Png(mut reader) => {
                 let mut stored = vec![0; reader.output_buffer_size().ok_or("it is too large")?];
                 let frame = reader.next_frame(&mut stored).map_err(|error| short(&error.to_string()))?;
@@ -88,10 +101,11 @@ impl<'b> PictureDecoder<'b> {
                 }
                 add_texels(&stored, frame.color_type.samples(), texels);
             }
-            Self::Jpeg { mut decoder, size: [width, height], channels } => {
-                let mut stored = vec![0; width as usize * height as usize * channels as usize];
+            Self::Jpeg { mut decoder, size: [width, height], components } => {
+                let channels = if components == 1 { 1 } else { 3 };
+                let mut stored = vec![0; width as usize * height as usize * channels];
                 decoder.decode_into(&mut stored).map_err(|error| short(&error.to_string()))?;
-                add_texels(&stored, channels as usize, texels);
+                add_texels(&stored, channels, texels);
             }
         }
         Ok(())

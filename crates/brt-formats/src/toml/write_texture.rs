@@ -70,6 +70,7 @@ pub(super) fn png(texels: &Texels) -> Vec<u8> {
         let mut encoder = png::Encoder::new(&mut bytes, texels.width, texels.height);
         encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::Fast);
         // Writing to memory does not fail.
         let _ = encoder.write_header().and_then(|mut writer| writer.write_image_data(pixels));
     }

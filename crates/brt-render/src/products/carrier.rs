@@ -8,7 +8,7 @@
 pub(crate) struct Carrier(u32);
 
 impl Carrier {
-    /// The place of the primitive that it is the carrier of.
+    /// Among all carriers of a scene, before duplicates are removed: the place of the primitive that it belongs to.
     pub(crate) fn index(self) -> usize {
         self.0 as usize
     }

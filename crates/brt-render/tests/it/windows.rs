@@ -12,6 +12,7 @@ use brt_testkit::{
     all_shapes, any_mesh_scene, any_scene, checked, render_window, render_with_layers, seed_scene, seeded,
 };
 use proptest::prelude::*;
+use rayon::prelude::*;
 
 fn any_method() -> impl Strategy<Value = Method> {
     let border = Method::Border(BorderSettings::default());
@@ -201,4 +202,28 @@ fn progress_is_of_the_windows_rows() {
         &Run { progress: Some(&count), ..Run::default() },
     );
     assert_eq!(count.0.into_inner(), 20);
+}
+
+/// A thread of a pool that waits for the threads that prepare a scene must not take up the next window meanwhile.
+#[test]
+fn windows_may_be_rendered_from_any_pool() {
+    let torus = brt_scene::procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
+    let torus = checked(&torus);
+    let (done, ended) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let callers = thread_pool(3).unwrap();
+        for lent in [None, Some(&callers)] {
+            let renderer = Renderer::new(torus.clone());
+            let run = Run { threads: 2, pool: lent, ..Run::default() };
+            let settings = Settings::new([64, 64]);
+            callers.install(|| {
+                (0..64_u64).into_par_iter().for_each(|i| {
+                    render_window(&renderer, Window::pixel(i, i), &settings, &run);
+                });
+            });
+        }
+        done.send(()).unwrap();
+    });
+    let minutes = std::time::Duration::from_secs(240);
+    assert!(ended.recv_timeout(minutes).is_ok(), "it waits for itself");
 }

@@ -42,23 +42,24 @@ pub(super) fn show(
     }
     let found = sink.rows.pop().ok_or_else(|| anyhow::anyhow!("pixel {x},{y} was not rendered"))?;
     output::line(&format!("pixel    {x},{y} of {width}×{height} ×{}", settings.samples.per_pixel()))?;
-    let object_of: Vec<usize> = renderer
-        .prepared(settings.accelerator, &run)?
-        .surfaces()
-        .iter()
-        .map(|surface| surface.object)
-        .collect();
-    for line in describe(&found, renderer.scene(), &object_of, transfer) {
+    let surfaces = renderer.prepared(settings.accelerator, &run)?.surfaces();
+    let object_of = |surface: u32| surfaces.get(surface as usize).map(|surface| surface.object);
+    for line in describe(&found, renderer.scene(), object_of, transfer) {
         output::line(&line)?;
     }
     Ok(Outcome::Done)
 }
 
-/// `object_of` each surface.
-fn describe(found: &Rows, scene: &CheckedScene, object_of: &[usize], transfer: Transfer) -> Vec<String> {
+/// `object_of` a surface, if there is one.
+fn describe(
+    found: &Rows,
+    scene: &CheckedScene,
+    object_of: impl Fn(u32) -> Option<usize>,
+    transfer: Transfer,
+) -> Vec<String> {
     let layer = |layer: &LayerRows| {
         Some(match layer {
-            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene, object_of)),
+            LayerRows::Surface(v) => format!("surface  {}", surface(v[0], scene, object_of(v[0]))),
             LayerRows::Depth(v) => format!("depth    {}", v[0]),
             LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
             LayerRows::History(v) => format!("history  {:016x}", v[0].0),
@@ -87,8 +88,8 @@ fn covering(pixel: PixelRows) -> ([f32; 3], f32) {
     (straight(pixel.colors[0], alpha), alpha)
 }
 
-fn surface(id: u32, scene: &CheckedScene, object_of: &[usize]) -> String {
-    let Some(&index) = object_of.get(id as usize) else {
+fn surface(id: u32, scene: &CheckedScene, object: Option<usize>) -> String {
+    let Some(index) = object else {
         return "none: the background".to_owned();
     };
     let Some(object) = scene.objects.get(index) else { return id.to_string() };

@@ -39,7 +39,8 @@ impl Lists {
     pub(super) fn keep(&mut self, items: impl Iterator<Item = u32>) -> List {
         let first = self.items.len();
         self.items.extend(items);
-        List { first: first as u32, count: (self.items.len() - first) as u32 }
+        let first_id = u32::try_from(first).expect("so many candidates would fill 16 GiB");
+        List { first: first_id, count: (self.items.len() - first) as u32 }
     }
 }
 

@@ -115,6 +115,10 @@ impl<'a> Follower<'a> {
         level.lights = Some(lights);
         for (index, light) in self.scene.lights.iter().enumerate() {
             let mut known = self.lightings.of(lights, index);
+            let is_colored = way.failed.is_none() && way.is_bounded;
+            if known.is_settled() && !(is_colored && matches!(known, KnownLighting::Seen)) {
+                continue;
+            }
             let ways = patch.ways_to(light);
             if !known.is_settled() {
                 known = lighting(&mut self.candidates, patch, left, light, &ways, known);

@@ -32,7 +32,7 @@ impl KnownLighting {
 
 /// How the points of a block at one level see all lights: a place in [`Lightings`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LevelLights(u32);
+pub(super) struct LevelLights(usize);
 
 /// How the points of all blocks that are open see the lights, each block's behind its parent's.
 #[derive(Debug)]
@@ -63,21 +63,20 @@ impl Lightings {
         let first = self.known.len();
         match from {
             Some(LevelLights(from)) => {
-                let from = from as usize;
                 self.known.extend_from_within(from..from + self.lights);
             }
             None => self.known.resize(first + self.lights, KnownLighting::Unknown),
         }
-        LevelLights(first as u32)
+        LevelLights(first)
     }
 
     /// How a light is seen.
     pub(super) fn of(&self, level: LevelLights, light: usize) -> KnownLighting {
-        self.known[level.0 as usize + light]
+        self.known[level.0 + light]
     }
 
     pub(super) fn set(&mut self, level: LevelLights, light: usize, known: KnownLighting) {
-        self.known[level.0 as usize + light] = known;
+        self.known[level.0 + light] = known;
     }
 }
 

@@ -153,7 +153,8 @@ impl Certified<'_, '_> {
         if matches!(parts, Parts::Regions(few) if samples_of(few) < LEAST_PROVEN) {
             return self.trace(area, parts, inherited, Certificate::Size);
         }
-        let mark = (self.follower.candidates.lists.mark(), self.follower.lightings.mark());
+        let lists = self.follower.candidates.lists.mark();
+        let lightings = self.follower.lightings.mark();
         let mut history = *inherited;
         let counts = &mut self.worker.tracer.counters.blocks;
         counts.judged += 1;
@@ -166,8 +167,8 @@ impl Certified<'_, '_> {
             Outcome::Proven(None) => self.divide(area, parts, &history),
             Outcome::Proven(Some(color)) => self.color(area, parts, &history, &color),
         }
-        self.follower.candidates.lists.release(mark.0);
-        self.follower.lightings.release(mark.1);
+        self.follower.candidates.lists.release(lists);
+        self.follower.lightings.release(lightings);
     }
 
     /// The history is proven and the colour bounded.
