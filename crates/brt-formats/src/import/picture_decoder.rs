@@ -17,7 +17,7 @@ const AS_TEXELS: (ColorType, BitDepth) = (ColorType::Rgba, BitDepth::Eight);
 /// A picture whose head is read.
 pub(super) enum PictureDecoder<'b> {
     Png(png::Reader<Cursor<&'b [u8]>>),
-    Jpeg { decoder: JpegDecoder<ZCursor<&'b [u8]>>, size: [u32; 2], components: u8 },
+    Jpeg { decoder: Box<JpegDecoder<ZCursor<&'b [u8]>>>, size: [u32; 2], components: u8 },
 }
 
 impl<'b> PictureDecoder<'b> {
@@ -48,7 +48,7 @@ impl<'b> PictureDecoder<'b> {
             .set_strict_mode(false)
             .set_max_width(usize::from(u16::MAX))
             .set_max_height(usize::from(u16::MAX));
-        let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+        let mut decoder = Box::new(JpegDecoder::new_with_options(ZCursor::new(bytes), options));
         decoder.decode_headers().map_err(|error| short(&error.to_string()))?;
         let info = decoder.info().ok_or("it has no frame")?;
         let space = match info.components {
