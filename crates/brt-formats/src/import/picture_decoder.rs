@@ -16,7 +16,7 @@ const AS_TEXELS: (ColorType, BitDepth) = (ColorType::Rgba, BitDepth::Eight);
 
 /// A picture whose head is read.
 pub(super) enum PictureDecoder<'b> {
-    Png(png::Reader<Cursor<&'b [u8]>>),
+    Png(Box<png::Reader<Cursor<&'b [u8]>>>),
     Jpeg { decoder: Box<JpegDecoder<ZCursor<&'b [u8]>>>, size: [u32; 2], components: u8 },
 }
 
@@ -40,7 +40,7 @@ impl<'b> PictureDecoder<'b> {
         decoder.set_ignore_iccp_chunk(true);
         // Palettes become colours, small depths 8 bits, a transparent colour an opacity.
         decoder.set_transformations(Transformations::EXPAND);
-        Ok(Self::Png(decoder.read_info()?))
+        Ok(Self::Png(Box::new(decoder.read_info()?)))
     }
 
     fn jpeg(bytes: &'b [u8]) -> Result<Self, String> {
