@@ -18,7 +18,7 @@ fn under_lights(count: u32) -> Scene {
     let mut scene = Scene::new(looking([0.5, 3.5, 9.0], [0.0, 0.6, 0.0], 42.0));
     scene.lights = (0..count)
         .map(|i| {
-            let (sin, cos) = (TAU * f64::from(i) / f64::from(count)).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(count));
             let color = Rgb::WHITE * (0.9 / f64::from(count));
             Light::Point { position: vec3(1.5 * cos, 9.0, 1.5 * sin), color }
         })
