@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use brt::geometry::{Aabb, Bvh};
 use brt::image::{PlainSink, encoder};
-use brt::rendering::Seconds;
+use brt::rendering::{PreparedScene, Seconds};
 use brt::*;
 use criterion::Criterion;
 
@@ -77,7 +77,7 @@ fn before_rendering(c: &mut Criterion) {
         c.bench_function(&format!("prepare/{name}"), |b| {
             b.iter(|| {
                 let renderer = Renderer::new(scene.clone());
-                renderer.prepared(Accelerator::Bvh, &Run::default()).map(|scene| scene.primitive_count()).ok()
+                renderer.prepared(Accelerator::Bvh, &Run::default()).map(PreparedScene::primitive_count).ok()
             });
         });
         let boxes = boxes(&scene);
