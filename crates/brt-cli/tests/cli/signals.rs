@@ -10,6 +10,14 @@ use crate::bench::Bench;
 
 const LONG: &str = "render ball.toml a.png -s 16000x16000 --method full --layers depth -j 2";
 
+/// The command, listening to all signals: what a shell starts in the background ignores INT, and so do all that it starts.
+fn listening(bench: &Bench, arguments: &str) -> Command {
+    let mut command = Command::new("env");
+    command.args(["--default-signal=INT,TERM,HUP", env!("CARGO_BIN_EXE_brt")]);
+    command.args(arguments.split_whitespace()).current_dir(bench.path("")).stdin(Stdio::null());
+    command
+}
+
 fn send(signal: &str, child: &Child) {
     let pid = child.id().to_string();
     assert!(Command::new("kill").args([&format!("-{signal}"), &pid]).status().unwrap().success());
@@ -40,7 +48,7 @@ fn each_signal_has_its_exit_code_and_leaves_no_trace() {
     for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let bench = Bench::new();
         bench.write("a.png", "a picture of before");
-        let mut child = bench.command(LONG).stderr(Stdio::piped()).spawn().unwrap();
+        let mut child = listening(&bench, LONG).stderr(Stdio::piped()).spawn().unwrap();
         // Both temporary files are there once it renders.
         bench.wait_for_files(4, &mut child);
         send(signal, &child);
@@ -57,7 +65,7 @@ fn each_signal_has_its_exit_code_and_leaves_no_trace() {
 fn two_signals_are_not_more_than_one() {
     for _ in 0..5 {
         let bench = Bench::new();
-        let mut child = bench.command(LONG).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = listening(&bench, LONG).stderr(Stdio::null()).spawn().unwrap();
         bench.wait_for_files(3, &mut child);
         send("TERM", &child);
         send("TERM", &child);
@@ -70,8 +78,7 @@ fn two_signals_are_not_more_than_one() {
 fn a_command_that_waits_for_a_reader_can_be_stopped() {
     let bench = Bench::new();
     assert!(Command::new("mkfifo").arg(bench.path("fifo.png")).status().unwrap().success());
-    let mut child = bench
-        .command("render ball.toml fifo.png -s 16x16 --stats s.json")
+    let mut child = listening(&bench, "render ball.toml fifo.png -s 16x16 --stats s.json")
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
@@ -85,12 +92,12 @@ fn a_command_that_waits_for_a_reader_can_be_stopped() {
 #[test]
 fn a_command_that_writes_to_a_full_pipe_can_be_stopped() {
     let bench = Bench::new();
-    let mut child = bench
-        .command("render ball.toml -s 3000x3000 --samples 1 --bits 16 -o - --stats s.json")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
+    let mut child =
+        listening(&bench, "render ball.toml -s 3000x3000 --samples 1 --bits 16 -o - --stats s.json")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
     bench.wait_for_files(2, &mut child);
     std::thread::sleep(Duration::from_millis(500));
     send("INT", &child);
