@@ -8,6 +8,8 @@
 mod facet;
 mod fit;
 mod lighting;
+#[cfg(test)]
+mod tests;
 
 use brt_geometry::{Real, Taylor};
 use brt_image::Rgb;
