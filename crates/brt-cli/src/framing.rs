@@ -19,7 +19,7 @@ pub(crate) struct ViewOptions {
     #[arg(long, value_name = "AXIS", value_parser = values::up, allow_hyphen_values = true)]
     up: Option<Up>,
     /// Enlargement of a framed view; at 1 everything is in the picture
-    #[arg(long, value_name = "FACTOR", value_parser = values::positive)]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = values::positive)]
     zoom: Option<f64>,
     /// Parallel rays in a framed view, as in drawings
     #[arg(long)]

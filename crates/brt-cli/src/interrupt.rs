@@ -57,10 +57,10 @@ impl Interrupt {
 }
 
 impl State {
-    fn tell(&self, nothing_was_written: bool) {
+    fn tell(&self, no_file_was_written: bool) {
         if !self.was_told.swap(true, Ordering::Relaxed) {
-            output::error(if nothing_was_written {
-                "interrupted, nothing was written"
+            output::error(if no_file_was_written {
+                "interrupted, no file was written"
             } else {
                 "interrupted"
             });
@@ -73,11 +73,11 @@ fn stop(signal: Signal, state: &Arc<State>, files: &AbortHandle) {
     state.code.store(signal.exit_code(), Ordering::Relaxed);
     state.cancel.store(true, Ordering::Release);
     thread::sleep(GRACE);
-    let nothing_was_written = files.abort(PATIENCE);
+    let no_file_was_written = files.abort(PATIENCE);
     // Standard error may be stuck, and so may be the end of the process, which flushes standard output.
     let state = Arc::clone(state);
     let ending = thread::Builder::new().spawn(move || {
-        state.tell(nothing_was_written);
+        state.tell(no_file_was_written);
         process::exit(signal.exit_code().into());
     });
     if ending.is_ok() {

@@ -27,7 +27,7 @@ pub(crate) struct Options {
     #[arg(long)]
     json: bool,
     /// Exit with 3 if a difference is greater than this, in levels of 255
-    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     max_error: Option<f64>,
     /// Write a picture of the differences: black 0, violet 1 level, then red to yellow
     #[arg(long, value_name = "OUT")]

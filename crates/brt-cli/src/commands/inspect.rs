@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use brt::{Camera, CheckedScene, Diagnostic, Light, Projection, Renderer, Run, Vec3};
+use brt::{Camera, CheckedScene, Diagnostic, Given, Light, Projection, Renderer, Run, Vec3};
 use clap::Args;
 use serde::Serialize;
 
@@ -26,6 +26,10 @@ pub(crate) struct Options {
     reading: InputOptions,
 }
 
+/// What files of models lack, so that it is added.
+const CAMERA: &str = "camera";
+const LIGHTS: &str = "lights";
+
 /// What there is to say about a scene.
 #[derive(Debug, Serialize)]
 struct Inspection {
@@ -35,6 +39,8 @@ struct Inspection {
     /// Of all bounded objects.
     bounds: Option<[[f64; 3]; 2]>,
     unbounded: usize,
+    /// Not the file's: what `render` adds to see it by.
+    added: Vec<&'static str>,
     lights: Vec<LightJson>,
     materials: Vec<String>,
     camera: CameraJson,
@@ -72,7 +78,7 @@ enum ProjectionJson {
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
     let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
     let run = Run { cancel: Some(context.interrupt.flag()), ..Run::default() };
-    let inspection = Inspection::of(&input.scene, &input.report.diagnostics, &run)?;
+    let inspection = Inspection::of(&input.scene, &input.given, &input.report.diagnostics, &run)?;
     if options.json {
         output::line(&json::text(&inspection)?)?;
     } else {
@@ -83,7 +89,12 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 impl Inspection {
-    fn of(scene: &CheckedScene, diagnostics: &[Diagnostic], run: &Run) -> Result<Self, Failure> {
+    fn of(
+        scene: &CheckedScene,
+        given: &Given,
+        diagnostics: &[Diagnostic],
+        run: &Run,
+    ) -> Result<Self, Failure> {
         // The plainest index: only what lies in it is counted.
         let renderer = Renderer::new(scene.clone());
         let prepared = renderer.prepared(brt::Accelerator::None, run)?;
@@ -97,6 +108,10 @@ impl Inspection {
             surfaces: prepared.surfaces().len(),
             bounds: scene.bounds().map(|corners| corners.map(triple)),
             unbounded: scene.objects.iter().filter(|object| object.bounds().is_none()).count(),
+            added: [(given.camera, CAMERA), (given.lights, LIGHTS)]
+                .into_iter()
+                .filter_map(|(is_given, what)| (!is_given).then_some(what))
+                .collect(),
             lights: scene.lights.iter().map(LightJson::of).collect(),
             materials: scene.materials.iter().map(|material| material.name.clone()).collect(),
             camera: CameraJson::of(&scene.camera),
@@ -119,18 +134,22 @@ impl Inspection {
             format!("primitives  {}", self.primitives),
             format!("surfaces    {}", self.surfaces),
             format!("bounds      {bounds}{}", unbounded_note(self.unbounded)),
-            format!("lights      {}", self.lights.len()),
+            format!("lights      {}{}", self.lights.len(), self.added_note(LIGHTS)),
         ];
         lines.extend(self.lights.iter().map(|light| format!("            {}", light.text())));
         lines.extend([
             format!("materials   {}: {}", self.materials.len(), shortened(&self.materials)),
-            format!("camera      {}", self.camera.text()),
+            format!("camera      {}{}", self.camera.text(), self.added_note(CAMERA)),
             format!("size        {size}"),
             format!("max depth   {}", self.max_depth),
             format!("background  {}", spaced(self.background)),
             format!("warnings    {}", self.warnings.len()),
         ]);
         lines.join("\n")
+    }
+
+    fn added_note(&self, what: &str) -> &'static str {
+        if self.added.contains(&what) { " (not from the file)" } else { "" }
     }
 }
 

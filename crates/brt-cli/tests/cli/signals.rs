@@ -56,7 +56,7 @@ fn each_signal_has_its_exit_code_and_leaves_no_trace() {
         assert_eq!(bench.read("a.png"), b"a picture of before");
         assert_eq!(bench.files(), ["a.png", "ball.toml"]);
         let errors = std::io::read_to_string(child.stderr.take().unwrap()).unwrap();
-        assert_eq!(errors, "error: interrupted, nothing was written\n", "{signal}");
+        assert_eq!(errors, "error: interrupted, no file was written\n", "{signal}");
     }
 }
 

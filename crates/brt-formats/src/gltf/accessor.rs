@@ -34,14 +34,13 @@ pub(super) fn rows<const N: usize>(accessor: &Accessor, buffers: &Buffers) -> Re
             )?;
             slice.iter().map(row).collect()
         }
-        None if accessor.sparse().is_some() && accessor.count() > MOST_ZEROS => {
+        None if accessor.count() > MOST_ZEROS => {
             return Err(at(
                 accessor,
                 &format!("has {} rows, but no data for most of them", accessor.count()),
             ));
         }
-        None if accessor.sparse().is_some() => vec![[0.0; N]; accessor.count()],
-        None => return Err(at(accessor, "has no data")),
+        None => vec![[0.0; N]; accessor.count()],
     };
     if let Some(sparse) = accessor.sparse() {
         let (indices, values) = (sparse.indices(), sparse.values());

@@ -33,8 +33,16 @@ struct Staged {
     begun: u64,
     /// Folders in which nothing of killed processes is left.
     swept: Vec<PathBuf>,
+    /// Files that were given up before they were complete, and not begun again.
+    lost: Vec<Lost>,
     was_committed: bool,
     was_aborted: bool,
+}
+
+#[derive(Debug)]
+struct Lost {
+    target: PathBuf,
+    place: Place,
 }
 
 #[derive(Debug)]
@@ -99,6 +107,7 @@ impl FileSet {
         if let Some(existing) = &existing {
             check_renaming(&place, existing, &file)?;
         }
+        staged.lost.retain(|file| file.place != place);
         let id = staged.begun;
         staged.begun += 1;
         staged.files.push(StagedFile { id, target: path.to_owned(), place, path: part, complete: None });
@@ -109,13 +118,14 @@ impl FileSet {
     /// Puts all files in place. The set is empty then, and can be used again.
     ///
     /// # Errors
-    /// If the set was aborted, the sink of a file was not committed, or a file cannot be put in place; then none is, or
+    /// If the set was aborted, the sink of a file was dropped or not committed yet, or a file cannot be put in place; then none is, or
     /// the message says which ones are.
     pub fn commit(&self) -> io::Result<()> {
         let mut staged = self.locked();
         staged.check_not_aborted()?;
-        if let Some(open) = staged.files.iter().find(|file| file.complete.is_none()) {
-            return Err(naming(&open.target, &io::Error::other("it is not complete")));
+        let open = staged.files.iter().find(|file| file.complete.is_none()).map(|file| &file.target);
+        if let Some(target) = open.or(staged.lost.first().map(|file| &file.target)) {
+            return Err(naming(target, &io::Error::other("it is not complete")));
         }
         let files = std::mem::take(&mut staged.files);
         // Still locked: an abort comes before the first file is in place, or after the last.
@@ -207,7 +217,11 @@ impl Claim {
 impl Drop for Claim {
     fn drop(&mut self) {
         let mut staged = self.set.lock().unwrap_or_else(PoisonError::into_inner);
-        staged.files.retain(|file| file.id != self.id || file.complete.is_some());
+        let is_lost = |file: &mut StagedFile| file.id == self.id && file.complete.is_none();
+        let lost =
+            staged.files.extract_if(.., is_lost).map(|file| Lost { target: file.target, place: file.place });
+        let lost: Vec<Lost> = lost.collect();
+        staged.lost.extend(lost);
     }
 }
 

@@ -77,6 +77,21 @@ fn nothing_is_in_place_before_all_are_complete() {
 }
 
 #[test]
+fn a_set_does_not_forget_a_file_that_was_given_up() {
+    let bench = Bench::new();
+    let set = FileSet::new();
+    let (a, b) = (begin(&set, &bench.target("a")), begin(&set, &bench.target("b")));
+    a.commit().unwrap();
+    drop(b);
+    assert!(message(set.commit()).contains("b: it is not complete"));
+    assert_eq!(fs::read_to_string(bench.path("a")).unwrap(), "old a");
+    // Begun anew, it is like any other.
+    begin(&set, &bench.target("b")).commit().unwrap();
+    set.commit().unwrap();
+    assert_eq!(fs::read_to_string(bench.path("b")).unwrap(), "new");
+}
+
+#[test]
 fn a_set_that_is_dropped_or_aborted_leaves_no_trace() {
     let bench = Bench::new();
     drop(bench.complete());

@@ -2,7 +2,7 @@
 
 use brt::{
     BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, Method, PencilSettings,
-    PixelSelectedSettings, VarianceDelta,
+    PictureLayer, PixelSelectedSettings, VarianceDelta,
 };
 
 use super::options::{MethodName, Options};
@@ -50,7 +50,7 @@ pub(super) fn chosen(options: &Options) -> Result<Method, Failure> {
 fn check_belonging(options: &Options) -> Result<(), Failure> {
     use MethodName::{Border, Certified, Pencil, PixelSelected};
     let Options { method, paper, .. } = options;
-    let given: [(&str, bool, &[MethodName]); 7] = [
+    let given: [(&str, bool, &[MethodName]); 8] = [
         ("--delta", paper.delta.is_some(), &[Border, PixelSelected]),
         ("--judge", paper.judge.is_some(), &[Border]),
         ("--regions", paper.regions.is_some(), &[Border]),
@@ -58,6 +58,7 @@ fn check_belonging(options: &Options) -> Result<(), Failure> {
         ("--block", paper.block.is_some(), &[Border, PixelSelected, Pencil]),
         ("--tolerance", options.tolerance.is_some(), &[Certified, Pencil]),
         ("--icps", paper.icps, &[PixelSelected]),
+        ("--layers certificates", options.layers.contains(&PictureLayer::Certificates), &[Certified]),
     ];
     for (option, is_given, methods) in given {
         if is_given && !methods.contains(method) {

@@ -40,7 +40,7 @@ pub(crate) struct Options {
     pub(crate) method: MethodName,
     /// Greatest error of a channel against full ray tracing in levels of 255 of the stored picture before rounding, for
     /// `certified`; of linear light, for `pencil`; 0: none [default: 1]
-    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     pub(crate) tolerance: Option<f64>,
     /// Samples per pixel
     #[arg(long, value_name = "N", value_parser = values::samples(), default_value = "16")]
@@ -69,7 +69,7 @@ pub(crate) struct Options {
           default_missing_value = "all")]
     pub(crate) verify: Option<VerifyName>,
     /// Verify, and exit with 3 if an error is greater than this, in levels of 255
-    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     pub(crate) max_error: Option<f64>,
     /// Write no picture; say what is seen in this pixel
     #[arg(long, value_name = "X,Y", value_parser = values::pixel,

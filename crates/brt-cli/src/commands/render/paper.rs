@@ -10,7 +10,7 @@ use crate::values;
 pub(crate) struct PaperOptions {
     /// Threshold of brightness in levels of 255, of their squares for `--judge variance`; for `border` and
     /// `pixel-selected` [default: 16]
-    #[arg(long, value_name = "LEVELS", value_parser = values::not_negative)]
+    #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     pub(crate) delta: Option<f64>,
     /// How brightness is judged by `border` [default: deviation]
     #[arg(long, value_enum)]
