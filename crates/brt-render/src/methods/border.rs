@@ -68,8 +68,9 @@ pub(crate) fn render_border(worker: &mut TileWorker, tile: &Tile, settings: &Bor
         }
         worker.lap(&mut clock, |c| &mut c.seconds.trace);
 
-        for candidate in &level {
-            if !settle(worker, tile, candidate, settings) && !candidate.block.is_smallest() {
+        // The smallest blocks are traced already: nothing of them is left to judge.
+        for candidate in level.iter().filter(|candidate| !candidate.block.is_smallest()) {
+            if !settle(worker, tile, candidate, settings) {
                 worker.tracer.counters.blocks.divided += 1;
                 blocks.extend(candidate.block.divide());
             }

@@ -9,7 +9,9 @@ use brt_render::{
     SinkError, Stats, TileOrder, Window, render,
 };
 use brt_scene::{Scene, Shape};
-use brt_testkit::{Rendered, all_shapes, checked, first_difference, looking, render_with_layers, seed_scene};
+use brt_testkit::{
+    Rendered, all_shapes, checked, first_difference, looking, render_to_image, render_with_layers, seed_scene,
+};
 
 fn counts(stats: &Stats) -> Stats {
     Stats { seconds: Default::default(), ..*stats }
@@ -72,6 +74,31 @@ fn threads_and_tile_orders_change_no_byte_and_no_count() {
         ] {
             let what = format!("{threads} threads, {order:?}, {method:?}, {filter:?}");
             assert_same_picture(&plain, &with(threads, order), &what);
+        }
+    }
+}
+
+/// Without layers more is left of the tile before: histories of samples that are filled.
+#[test]
+fn threads_change_no_byte_and_no_count_where_no_layer_is_asked_for() {
+    let methods = [
+        Method::PixelSelected(PixelSelectedSettings::default()),
+        Method::Border(BorderSettings::default()),
+        Method::Certified(CertifiedSettings::default()),
+    ];
+    let scenes = [all_shapes(), brt_scene::procedural::find("torus").unwrap().build(Some(1000)).unwrap()];
+    for (scene, method) in scenes.iter().flat_map(|scene| methods.map(|method| (scene, method))) {
+        let settings = Settings { method, samples: Samples::Four, ..Settings::new([150, 140]) };
+        let with = |threads, order| {
+            let run = Run { threads, order, ..Run::default() };
+            let (colors, stats) = render_to_image(scene, &settings, &run);
+            (colors, counts(&stats))
+        };
+        let plain = with(1, TileOrder::Sorted);
+        for (threads, order) in
+            [(2, TileOrder::Sorted), (1, TileOrder::Shuffled(5)), (7, TileOrder::Shuffled(99))]
+        {
+            assert!(plain == with(threads, order), "{threads} threads, {order:?}, {method:?}");
         }
     }
 }
