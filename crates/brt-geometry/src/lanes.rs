@@ -8,7 +8,7 @@ use std::fmt;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use std::str::FromStr;
 
-use crate::real::{Mask, Real};
+use crate::numbers::{Mask, Real};
 use crate::{Ray, vec3};
 
 /// How many lanes there are.

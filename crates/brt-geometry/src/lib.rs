@@ -13,17 +13,15 @@ mod grid;
 mod index;
 mod lanes;
 mod margins;
-mod polygon_plane;
+mod numbers;
 mod primitives;
 mod ray;
 mod ray_block;
 mod ray_shaft;
-mod real;
 mod shaft;
 mod taylor;
 mod triangulate;
 mod trilean;
-mod vec3;
 
 pub use aabb::Aabb;
 pub use affine::Affine;
@@ -36,14 +34,15 @@ pub use margins::{
     BOX_MARGIN, COORDINATE_ROUNDING, FACE_FLATNESS, FACET_ANGLE, FARTHEST, LEAST_SINE, Margin,
     POLYGON_FLATNESS, SMALLEST_ANGLE, SMALLEST_LENGTH,
 };
-pub use polygon_plane::{PolygonPlane, area_share, polygon_plane};
-pub use primitives::{Cone, Cylinder, Disc, Plane, Polygon, Primitive, Sphere, Triangle};
-pub use ray::{Across, Hit, Ray, Start};
+pub use numbers::{Across, Exponent, Mask, Real, Vec3, vec3};
+pub use primitives::{
+    Cone, Cylinder, Disc, Plane, Polygon, PolygonPlane, Primitive, Sphere, Triangle, area_share,
+    polygon_plane,
+};
+pub use ray::{Hit, Ray, Start};
 pub use ray_block::RayBlock;
 pub use ray_shaft::LaneRays;
-pub use real::{Exponent, Mask, Real};
 pub use shaft::Shaft;
 pub use taylor::Taylor;
 pub use triangulate::{is_convex, triangulate};
 pub use trilean::Trilean;
-pub use vec3::{Vec3, vec3};

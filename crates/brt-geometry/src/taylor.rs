@@ -8,7 +8,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::margins::MODEL_ROUNDING;
-use crate::real::{Mask, Real, power_by_squaring};
+use crate::numbers::{Mask, Real, power_by_squaring};
 use crate::{Trilean, Vec3};
 
 /// A first-order model over a block.

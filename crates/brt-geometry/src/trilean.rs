@@ -2,7 +2,7 @@
 
 use std::ops::{BitAnd, BitOr, Not};
 
-use crate::real::Mask;
+use crate::numbers::Mask;
 
 /// What is known of a comparison over a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -27,7 +27,6 @@ mod image;
 mod metrics;
 mod picture;
 mod pixels;
-mod quantize;
 mod transfer;
 
 pub use codec::{

@@ -3,7 +3,8 @@
 use brt_scene::Problem;
 use thiserror::Error;
 
-use crate::picture::SinkError;
+/// What keeps a sink from taking rows.
+pub type SinkError = Box<dyn std::error::Error + Send + Sync>;
 
 /// Why there is no picture.
 #[derive(Debug, Error)]

@@ -21,18 +21,18 @@ mod schedule;
 mod settings;
 mod tracing;
 
-pub use error::RenderError;
-pub use methods::{
-    BorderSettings, CertifiedSettings, DeviationDelta, DifferenceDelta, Judge, PencilSettings,
-    PixelSelectedSettings, Regions, VarianceDelta,
-};
-pub use picture::{Filter, KeptRows, Layer, LayerPainter, LayerRows, Rows, Sink, SinkError};
+pub use error::{RenderError, SinkError};
+pub use picture::{KeptRows, LayerPainter, LayerRows, Rows, Sink};
 pub use prepare::PreparedCamera;
 pub use products::{
     BlockCounts, Certificate, CertificateCounts, PixelCounts, PreparedScene, RayCounts, RayHistory,
-    SampleGrid, SampleState, Seconds, Stats, Surface, Tries, Window,
+    SampleGrid, SampleState, Seconds, Stats, Surface, Tries,
 };
 pub use renderer::{Renderer, render};
 pub use run::{Progress, RayOrder, Run, TileOrder, thread_pool};
-pub use settings::{Accelerator, Backdrop, CheckedPixels, HistoryKind, Method, Samples, Settings};
+pub use settings::{
+    Accelerator, Backdrop, BorderSettings, CertifiedSettings, CheckedPixels, DeviationDelta, DifferenceDelta,
+    Filter, HistoryKind, Judge, Layer, Method, PencilSettings, PixelSelectedSettings, Regions, Samples,
+    Settings, VarianceDelta, Window,
+};
 pub use tracing::FirstSeen;

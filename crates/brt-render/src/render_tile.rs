@@ -7,11 +7,10 @@ use crate::methods::{
 };
 use crate::perspective::{Outline, Painter};
 use crate::picture::{
-    FullTile, Layer, LayerRows, LayerSources, TilePicture, TileShares, reduce, reduce_alpha, reduce_into,
-    tile_layer,
+    FullTile, LayerRows, LayerSources, TilePicture, TileShares, reduce, reduce_alpha, reduce_into, tile_layer,
 };
 use crate::products::{StageClock, Tile};
-use crate::settings::{CheckedPixels, Method, Settings};
+use crate::settings::{CheckedPixels, Layer, Method, Settings};
 use crate::tracing::PencilTracer;
 
 /// Renders a tile; `None` if it was broken off. `outlines` are those that reach into it, `rows` its part of the picture's if

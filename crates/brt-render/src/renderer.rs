@@ -13,10 +13,10 @@ use crate::job::Job;
 use crate::perspective::Outlines;
 use crate::picture::{BandAssembler, Crop, Sink};
 use crate::prepare::{PreparedCamera, prepare};
-use crate::products::{Counters, PreparedScene, SampleGrid, Stats, Window};
+use crate::products::{Counters, PreparedScene, SampleGrid, Stats};
 use crate::run::{Run, thread_pool};
 use crate::schedule::Schedule;
-use crate::settings::{Accelerator, Settings};
+use crate::settings::{Accelerator, Settings, Window};
 use crate::tracing::BoundingSpheres;
 
 /// Renders a scene's picture, as its camera takes it; rows go to the sink from the top to the bottom.

@@ -3,7 +3,7 @@
 use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::products::Window;
+use crate::settings::Window;
 use brt_geometry::SimdLevel;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 

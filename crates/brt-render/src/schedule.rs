@@ -11,10 +11,11 @@ use crate::job::Job;
 use crate::methods::TileWorker;
 use crate::perspective::{BandOutlines, Painter};
 use crate::picture::TilePicture;
-use crate::products::{Counters, SampleGrid, Tile, Window};
+use crate::products::{Counters, SampleGrid, Tile};
 use crate::queue::Queue;
 use crate::render_tile::render_tile;
 use crate::run::Run;
+use crate::settings::Window;
 
 /// Bands are rendered together until there are this many tiles for each thread.
 const TILES_PER_THREAD: u32 = 8;

@@ -49,11 +49,13 @@ mod layer_paint;
 mod layers;
 pub mod library;
 mod measure;
+mod output;
 mod picture_files;
 
-pub use files::{Output, OutputError, RenderFilesError, Rendered, render_into, render_to_files};
+pub use files::{RenderFilesError, Rendered, render_into, render_to_files};
 pub use layers::PictureLayer;
 pub use measure::Verification;
+pub use output::{Output, OutputError};
 
 pub use brt_formats as formats;
 pub use brt_geometry as geometry;

@@ -1,6 +1,5 @@
 //! The files of a picture as one sink: each row goes to the picture's encoder and to those of its layers.
 
-use std::path::{Path, PathBuf};
 
 use brt_image::{
     BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureSize,
@@ -8,10 +7,10 @@ use brt_image::{
 };
 use brt_render::{Rows, Sink, SinkError};
 
-use crate::files::Output;
 use crate::layer_paint::PicturePainter;
 use crate::layers::PictureLayer;
 use crate::measure::{ErrorMeasure, Verification};
+use crate::output::{Output, layer_path};
 
 /// Takes rows: measures them against full ray tracing if that was rendered, and writes them if there is an output.
 ///
@@ -138,12 +137,6 @@ impl OpenFiles {
             }
         }
     }
-}
-
-/// `a/out.png` becomes `a/out.depth.png`.
-pub(crate) fn layer_path(picture: &Path, layer: PictureLayer) -> PathBuf {
-    let extension = picture.extension().unwrap_or_default().to_string_lossy();
-    picture.with_extension(format!("{}.{extension}", layer.name()))
 }
 
 fn layer_target(picture: &Target, layer: PictureLayer) -> Target {

@@ -5,6 +5,7 @@ mod cylinder;
 mod disc;
 mod plane;
 mod polygon;
+mod polygon_plane;
 mod sphere;
 
 pub use cone::Cone;
@@ -12,6 +13,7 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use plane::Plane;
 pub use polygon::{Polygon, Triangle};
+pub use polygon_plane::{PolygonPlane, area_share, polygon_plane};
 pub use sphere::Sphere;
 
 use crate::{Aabb, Hit, Ray, Real, Start, Vec3};

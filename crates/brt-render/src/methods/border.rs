@@ -4,38 +4,11 @@
 //! on four traced samples; a region is interpolated if their ray histories are equal and their brightness is even
 //! enough. Other blocks, and those with a region that failed, are divided.
 
-use super::judge::{DeviationDelta, Judge};
 use super::region::{Contents, Region, regions_of, rows};
 use super::worker::{First, TileWorker};
 use crate::filling::{LinearColor, fill_bilinear};
 use crate::products::{Block, SampleState, StageClock, Tile};
-
-/// Settings of border ray tracing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BorderSettings {
-    /// Side of the first blocks in samples, 1 to 128.
-    pub block: u32,
-    /// How brightness is judged.
-    pub judge: Judge,
-    /// What happens to a block with two surfaces.
-    pub regions: Regions,
-}
-
-/// What happens to a block with two surfaces. Paper: P6 (1).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Regions {
-    /// The one that can be interpolated is, whatever becomes of the other.
-    #[default]
-    Separate,
-    /// Both are interpolated or none: as in the first publication.
-    Together,
-}
-
-impl Default for BorderSettings {
-    fn default() -> Self {
-        Self { block: 16, judge: Judge::Deviation(DeviationDelta(16.0)), regions: Regions::Separate }
-    }
-}
+use crate::settings::{BorderSettings, Judge, Regions};
 
 /// Larger blocks with two surfaces are divided at once: near an outline shading bends most, and four samples say too
 /// little of a large region there (`docs/notes/border.md`).

@@ -11,12 +11,6 @@ mod region;
 mod scan_line;
 mod worker;
 
-pub use border::{BorderSettings, Regions};
-pub use certified::CertifiedSettings;
-pub use judge::{DeviationDelta, DifferenceDelta, Judge, VarianceDelta};
-pub use pencil::PencilSettings;
-pub use pixel_selected::PixelSelectedSettings;
-
 pub(crate) use border::render_border;
 pub(crate) use certified::{Tolerance, render_certified};
 pub(crate) use full::{render_full, render_reference, trace_row};

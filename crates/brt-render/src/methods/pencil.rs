@@ -10,22 +10,8 @@ use brt_image::Rgb;
 use super::worker::{First, TileWorker};
 use crate::filling::LinearFill;
 use crate::products::{Area, NOTHING, SampleState, StageClock, Tile};
+use crate::settings::PencilSettings;
 use crate::tracing::{PencilTracer, constant};
-
-/// Settings of pencil tracing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PencilSettings {
-    /// Side of the first blocks in samples, 1 to 128.
-    pub block: u32,
-    /// Greatest error of a channel in levels of 255 of linear RGB.
-    pub tolerance: f64,
-}
-
-impl Default for PencilSettings {
-    fn default() -> Self {
-        Self { block: 32, tolerance: 1.0 }
-    }
-}
 
 /// Blocks of this side and less are left to rays: a pencil costs as much as several of them.
 const SMALLEST_PENCIL: u32 = 3;

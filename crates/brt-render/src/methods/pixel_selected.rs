@@ -4,27 +4,11 @@
 //! Δ, the block is interpolated, else divided. There is no perspective image: objects between the corners are lost.
 //! With *iterative central point selection* (1989) the block's central sample is traced as well and must agree.
 
-use super::judge::{DifferenceDelta, Judge, brightness};
+use super::judge::brightness;
 use super::worker::{First, TileWorker};
 use crate::filling::fill_bilinear;
 use crate::products::{Block, StageClock, Tile};
-
-/// Settings of pixel-selected ray tracing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PixelSelectedSettings {
-    /// Side of the first blocks in samples, 1 to 128.
-    pub block: u32,
-    /// Greatest difference of brightness from the mean.
-    pub delta: DifferenceDelta,
-    /// Trace the central sample of a block too?
-    pub central_point: bool,
-}
-
-impl Default for PixelSelectedSettings {
-    fn default() -> Self {
-        Self { block: 16, delta: DifferenceDelta(16.0), central_point: false }
-    }
-}
+use crate::settings::{Judge, PixelSelectedSettings};
 
 /// Renders a tile. Goes through the blocks level by level: trace, judge, fill.
 pub(crate) fn render_pixel_selected(worker: &mut TileWorker, tile: &Tile, settings: &PixelSelectedSettings) {

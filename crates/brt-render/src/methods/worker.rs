@@ -3,13 +3,12 @@
 use brt_geometry::{LANES, LaneRays, Lanes, Ray, SimdLevel};
 
 use crate::job::Job;
-use crate::picture::Layer;
 use crate::prepare::PreparedCamera;
 use crate::products::{
     Block, Counters, NOTHING, PerspectiveImage, SampleState, StageClock, Tile, TileSamples,
 };
 use crate::run::{Cancel, RayOrder, Run};
-use crate::settings::Settings;
+use crate::settings::{Layer, Settings};
 use crate::tracing::{Bundle, Colors, Guide, MOST_RAYS, NO_COLORS, Sight, Tracer, Unguided, color_at};
 
 /// A thread's tracer and buffers, reused from tile to tile.

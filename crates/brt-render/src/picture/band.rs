@@ -1,10 +1,10 @@
 //! Joins tiles to rows. Where filters reach beyond a band, its last row waits for the next band.
 
 use super::filter::TileShares;
-use super::layers::{Layer, LayerRows};
+use super::layers::LayerRows;
 use super::sink::Rows;
 use crate::products::{SampleGrid, Tile};
-use crate::settings::{CheckedPixels, Settings};
+use crate::settings::{CheckedPixels, Layer, Settings};
 
 /// A finished tile: shares of pixels, and its layers.
 pub(crate) struct TilePicture {

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use super::layers::LayerRows;
 use super::sink::Rows;
-use crate::products::{SampleGrid, Window};
+use crate::products::SampleGrid;
+use crate::settings::Window;
 
 /// Where a window lies in the tiles that are rendered for it, in pixels.
 #[derive(Clone, Copy, Debug)]

@@ -6,27 +6,9 @@ use brt_geometry::SimdLevel;
 
 use super::mean::means;
 use crate::products::{SampleGrid, Tile};
-
-/// How samples become pixels. Weights of a pixel sum up to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Filter {
-    /// The mean of the pixel's own samples.
-    #[default]
-    Box,
-    /// A Gaussian of standard deviation ½ pixel, cut off 1 pixel from the pixel's middle in each direction. Samples weigh
-    /// by column and row, without their shifts from there: these cancel over a pixel.
-    Gaussian,
-}
+use crate::settings::Filter;
 
 impl Filter {
-    /// How many pixels beyond its own a sample reaches.
-    pub(crate) fn margin(self) -> u32 {
-        match self {
-            Self::Box => 0,
-            Self::Gaussian => 1,
-        }
-    }
-
     /// Weight at a distance in pixels along one axis.
     fn weight(self, distance: f64) -> f64 {
         match self {

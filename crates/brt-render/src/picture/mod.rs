@@ -10,9 +10,8 @@ mod sink;
 
 pub(crate) use band::{BandAssembler, FullTile, TilePicture};
 pub(crate) use crop::Crop;
-pub use filter::Filter;
 pub(crate) use filter::{TileShares, reduce, reduce_alpha, reduce_into};
-pub use layers::{Layer, LayerRows};
+pub use layers::LayerRows;
 pub(crate) use layers::{LayerSources, tile_layer};
 pub use paint::LayerPainter;
-pub use sink::{KeptRows, Rows, Sink, SinkError};
+pub use sink::{KeptRows, Rows, Sink};

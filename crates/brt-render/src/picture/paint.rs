@@ -3,8 +3,9 @@
 use brt_image::{Transfer, id_color};
 use brt_scene::Scene;
 
-use super::layers::{Layer, LayerRows};
+use super::layers::LayerRows;
 use crate::products::{Certificate, NOTHING, RayHistory, SampleState};
+use crate::settings::Layer;
 
 /// Turns rows of layers into colours or values. What a layer's picture shows depends on nothing but its rows and the
 /// scene: never on what other rows hold.

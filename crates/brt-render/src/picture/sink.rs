@@ -3,6 +3,7 @@
 use brt_image::{PixelRows, Transfer};
 
 use super::layers::LayerRows;
+use crate::error::SinkError;
 
 /// Finished rows of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,9 +42,6 @@ impl Rows {
         Some(PixelRows { colors, alpha: self.full_alpha.as_deref() })
     }
 }
-
-/// What keeps a sink from taking rows.
-pub type SinkError = Box<dyn std::error::Error + Send + Sync>;
 
 /// Takes finished rows, from the top of the picture to its bottom, each once.
 ///

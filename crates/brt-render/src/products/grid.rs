@@ -1,7 +1,7 @@
 //! The grid of samples over a window of a picture.
 
-use super::{SamplePattern, Window};
-use crate::settings::Samples;
+use super::SamplePattern;
+use crate::settings::{Samples, Settings, Window};
 
 /// Samples of the tiles that a window needs: `per_side` × `per_side` of them in each pixel. Tiles are anchored at the corner
 /// of the whole picture, so a window cuts it into the same blocks as any other.
@@ -23,8 +23,8 @@ pub struct SampleGrid {
 }
 
 impl SampleGrid {
-    /// Greatest side of a tile and of a block, in samples.
-    pub const TILE: u32 = 128;
+    /// Greatest side of a tile, in samples: blocks do not reach beyond.
+    pub const TILE: u32 = Settings::GREATEST_BLOCK;
 
     /// The grid of a whole picture.
     pub fn new([width, height]: [u32; 2], samples: Samples) -> Self {

@@ -13,7 +13,6 @@ mod prepared;
 mod stats;
 mod texture;
 mod tile;
-mod window;
 
 pub(crate) use area::Area;
 pub(crate) use block::Block;
@@ -35,4 +34,3 @@ pub(crate) use stats::{Counters, StageClock};
 pub(crate) use texture::{PreparedTexture, TextureSample};
 pub use tile::SampleState;
 pub(crate) use tile::{Tile, TileSamples};
-pub use window::Window;

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::{Area, Certificate, RayHistory, SampleGrid, Window};
+use super::{Area, Certificate, RayHistory, SampleGrid};
+use crate::settings::Window;
 
 /// How a sample got its colour. Every sample is exactly one of these in the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]

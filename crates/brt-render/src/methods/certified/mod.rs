@@ -28,21 +28,6 @@ use self::rest::Rest;
 use super::worker::TileWorker;
 use crate::products::{Area, Certificate, NOTHING, PreparedScene, Seconds, StageClock, Tile};
 
-/// Settings of certified ray tracing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CertifiedSettings {
-    /// Greatest error of a channel of a pixel against full ray tracing, in levels of 255 of the stored value before
-    /// rounding; the [sink](crate::Sink::transfer) says how values are stored. 0: nothing is filled, and the picture has
-    /// the bits of full ray tracing.
-    pub tolerance: f64,
-}
-
-impl Default for CertifiedSettings {
-    fn default() -> Self {
-        Self { tolerance: 1.0 }
-    }
-}
-
 /// Blocks of this side and less whose history is not proven are traced.
 const LEAF: u32 = 16;
 

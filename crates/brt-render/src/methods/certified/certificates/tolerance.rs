@@ -7,7 +7,7 @@ use brt_geometry::Taylor;
 use brt_image::{Rgb, Transfer};
 
 use crate::margins::{ALLOWED_ABOVE, ALLOWED_AT_BLACK, ALLOWED_AT_CUT, RESERVE, STORED_ROUNDINGS};
-use crate::methods::CertifiedSettings;
+use crate::settings::CertifiedSettings;
 
 /// The tolerance of a picture.
 #[derive(Clone, Debug)]

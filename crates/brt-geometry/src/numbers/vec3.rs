@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Index, IndexMut, Mul, Neg, Sub};
 
-use crate::real::Real;
+use super::Real;
 
 /// A vector or point in space; lengths in scene units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

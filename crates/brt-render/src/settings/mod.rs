@@ -1,11 +1,20 @@
 //! What is rendered: everything that a picture depends on besides the scene. Paper: P1.
 
+mod judge;
+mod layer;
+mod method;
+mod samples;
+mod window;
+
+pub use judge::{DeviationDelta, DifferenceDelta, Judge, VarianceDelta};
+pub use layer::Layer;
+pub use method::{BorderSettings, CertifiedSettings, Method, PencilSettings, PixelSelectedSettings, Regions};
+pub use samples::{Filter, Samples};
+pub use window::Window;
+
 use brt_scene::Scene;
 
 use crate::error::RenderError;
-use crate::methods::{BorderSettings, CertifiedSettings, Judge, PencilSettings, PixelSelectedSettings};
-use crate::picture::{Filter, Layer};
-use crate::products::{SampleGrid, Window};
 
 /// What is rendered.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,12 +41,10 @@ pub struct Settings {
     pub backdrop: Backdrop,
 }
 
-impl Accelerator {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::None, Self::Extents, Self::Grid, Self::Bvh];
-}
-
 impl Settings {
+    /// Greatest side of a block, in samples.
+    pub const GREATEST_BLOCK: u32 = 128;
+
     /// One sample per pixel by full ray tracing, of a picture that can be rendered whole.
     pub fn new(size: [u32; 2]) -> Self {
         Self::of_virtual(size.map(u64::from))
@@ -58,9 +65,7 @@ impl Settings {
             backdrop: Backdrop::Scene,
         }
     }
-}
 
-impl Settings {
     /// The window that is all of the picture.
     ///
     /// # Errors
@@ -99,10 +104,10 @@ impl Settings {
             | Method::ScanLine
             | Method::Certified(_) => 1,
         };
-        if !(1..=SampleGrid::TILE).contains(&block) {
+        if !(1..=Self::GREATEST_BLOCK).contains(&block) {
             return Err(format!(
                 "blocks of {block} samples: the side must be from 1 to {}",
-                SampleGrid::TILE
+                Self::GREATEST_BLOCK
             ));
         }
         Ok(())
@@ -156,111 +161,14 @@ impl CheckedPixels {
     }
 }
 
-impl Method {
-    /// The greatest error of a pixel against full ray tracing, in levels of 255, that the method promises.
-    pub fn promised_error(&self) -> Option<f64> {
-        match self {
-            Self::Reference | Self::Full | Self::ItemBuffer | Self::ScanLine => Some(0.0),
-            Self::Pencil(PencilSettings { tolerance, .. })
-            | Self::Certified(CertifiedSettings { tolerance, .. }) => Some(*tolerance),
-            Self::PixelSelected(_) | Self::Border(_) => None,
-        }
-    }
-}
-
-/// Samples per pixel: a square number, so that they form a regular grid over the picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Samples {
-    /// One, in the middle of the pixel.
+/// When two ray histories are the same. Paper: P5, reading 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum HistoryKind {
+    /// The same surfaces are met and the same lights are seen.
     #[default]
-    One,
-    /// 2 × 2.
-    Four,
-    /// 4 × 4.
-    Sixteen,
-    /// 8 × 8.
-    SixtyFour,
-    /// 16 × 16: what the others are measured against.
-    TwoHundredFiftySix,
-}
-
-impl Samples {
-    /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::One, Self::Four, Self::Sixteen, Self::SixtyFour, Self::TwoHundredFiftySix];
-
-    /// Samples along each side of a pixel.
-    pub fn per_side(self) -> u32 {
-        match self {
-            Self::One => 1,
-            Self::Four => 2,
-            Self::Sixteen => 4,
-            Self::SixtyFour => 8,
-            Self::TwoHundredFiftySix => 16,
-        }
-    }
-
-    /// Samples per pixel.
-    pub fn per_pixel(self) -> u32 {
-        self.per_side() * self.per_side()
-    }
-}
-
-/// Which samples are traced.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
-    /// Every sample by the plain recursion over all primitives: the oracle.
-    Reference,
-    /// Every sample: standard ray tracing.
-    Full,
-    /// Every sample, the first hit from the perspective image (Weghorst, Hooper, Greenberg 1984).
-    ItemBuffer,
-    /// Every sample, rays only where mirrors, glass or shadows need them (Tadamura, Nakamae, Nishita 1985).
-    ScanLine,
-    /// Blocks of rays traced together, within a tolerance (Shinya, Takahashi, Naito 1987).
-    Pencil(PencilSettings),
-    /// Pixel-selected ray tracing (Akimoto, Mase 1986).
-    PixelSelected(PixelSelectedSettings),
-    /// Border ray tracing (Hashimoto, Suenaga 1987).
-    Border(BorderSettings),
-    /// What is not traced is proven to be within a tolerance.
-    Certified(CertifiedSettings),
-}
-
-impl Method {
-    /// Δ or tolerance; 0 where there is none.
-    fn threshold(&self) -> f64 {
-        match self {
-            Self::PixelSelected(settings) => settings.delta.0,
-            Self::Pencil(settings) => settings.tolerance,
-            Self::Certified(settings) => settings.tolerance,
-            Self::Border(settings) => match settings.judge {
-                Judge::Variance(delta) => delta.0,
-                Judge::Deviation(delta) => delta.0,
-                Judge::Difference(delta) => delta.0,
-            },
-            _ => 0.0,
-        }
-    }
-
-    /// Does it look for what a bundle of rays may meet?
-    pub(crate) fn needs_bounding_spheres(&self) -> bool {
-        matches!(self, Self::ScanLine | Self::Pencil(_))
-    }
-
-    /// Its name on the command line and in statistics.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Reference => "reference",
-            Self::Full => "full",
-            Self::ItemBuffer => "item-buffer",
-            Self::ScanLine => "scan-line",
-            Self::Pencil(_) => "pencil",
-            Self::PixelSelected(_) => "pixel-selected",
-            Self::Border(_) => "border",
-            Self::Certified(_) => "certified",
-        }
-    }
+    Lit,
+    /// And lights that are not seen are hidden by the same surfaces.
+    Shadower,
 }
 
 /// What saves tests of primitives.
@@ -277,12 +185,7 @@ pub enum Accelerator {
     Bvh,
 }
 
-/// When two ray histories are the same. Paper: P5, reading 3.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum HistoryKind {
-    /// The same surfaces are met and the same lights are seen.
-    #[default]
-    Lit,
-    /// And lights that are not seen are hidden by the same surfaces.
-    Shadower,
+impl Accelerator {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::None, Self::Extents, Self::Grid, Self::Bvh];
 }

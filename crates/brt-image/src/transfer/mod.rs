@@ -3,7 +3,7 @@
 //! Every value is made by pure Rust arithmetic (`libm`), so that the same picture is written on
 //! every machine.
 
-use crate::quantize;
+mod quantize;
 
 /// The rule by which linear light becomes stored values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -6,7 +6,7 @@
 
 use std::sync::LazyLock;
 
-use crate::transfer::Transfer;
+use super::Transfer;
 
 /// `round(255 * c)`. The product and the sum are exact in f64, so this is the exact rounding;
 /// the cast turns not-a-number into 0 and clamps.

@@ -7,9 +7,10 @@
 //! Rules for code over `Real`: no branch on a comparison except through [`Mask::any`] and [`Mask::all`]; choose
 //! with [`Real::select`]; no fused multiply-add and no approximate reciprocal, so that every reading rounds alike.
 
-use crate::Across;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+use super::{Across, Vec3};
 
 /// The answer to a comparison of two [`Real`] values.
 pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
@@ -140,7 +141,7 @@ impl Mask for bool {
 
 impl Real for f64 {
     type Mask = bool;
-    type Across = [crate::Vec3; 2];
+    type Across = [Vec3; 2];
 
     #[inline(always)]
     fn constant(x: f64) -> Self {
