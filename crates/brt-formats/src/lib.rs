@@ -17,37 +17,13 @@
 //! assert_eq!(parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap().0, scene);
 //! ```
 
-mod budget;
-mod dat;
-mod error;
-mod foreign;
-mod format;
-mod gltf;
+mod common;
 mod import;
-mod limits;
 mod load;
-mod losses;
-mod machine;
-mod meshes;
-mod nff;
-mod numerals;
-mod obj;
-mod off;
-mod ply;
-mod pov;
-mod problems;
-mod stl;
-mod threemf;
-mod toml;
-mod view;
-mod vrml;
-mod words;
+mod read;
 mod write;
 
-pub use error::{LimitExceeded, LoadError, OnlyRead, ParseError};
-pub use foreign::Foreign;
-pub use format::Format;
-pub use limits::Limits;
-pub use load::{Given, Imported, Loaded, import, load, load_as, parse};
-pub use toml::write_toml;
-pub use write::{FileBeside, Written, write, write_beside};
+pub use common::{Foreign, Format, LimitExceeded, Limits, LoadError, OnlyRead, ParseError};
+pub use import::{Given, Imported};
+pub use load::{Loaded, import, load, load_as, parse};
+pub use write::{FileBeside, Written, write, write_beside, write_toml};

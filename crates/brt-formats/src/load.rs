@@ -4,13 +4,11 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt_scene::framing::Up;
-use brt_scene::{CheckedScene, MaterialId, Report};
+use brt_scene::{CheckedScene, Report};
 
-use crate::budget::{Budget, Halt};
-use crate::import::Beside;
-use crate::{Foreign, Format, Limits, LoadError, ParseError};
-use crate::{gltf, nff, obj, off, ply, stl, threemf, toml, vrml};
+use crate::common::{Budget, Foreign, Format, Halt, Limits, LoadError, ParseError};
+use crate::import::{Beside, Given, Imported};
+use crate::read::{format_of, read};
 
 /// A scene file that was read.
 #[derive(Clone, Debug)]
@@ -25,46 +23,6 @@ pub struct Loaded {
     pub files: Vec<PathBuf>,
     /// The file's text, for whoever draws the report; empty for binary files.
     pub text: String,
-}
-
-/// A scene that was made of bytes.
-#[derive(Clone, Debug)]
-pub struct Imported {
-    /// The scene.
-    pub scene: CheckedScene,
-    /// Warnings; positions are offsets in the bytes.
-    pub report: Report,
-    /// What the file itself says about how it is looked at.
-    pub given: Given,
-    /// The other files that were read for it: buffers, materials, pictures, meshes.
-    pub files: Vec<PathBuf>,
-}
-
-/// What a file says about how it is looked at; the rest was chosen by [`brt_scene::framing`] and may be chosen anew.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Given {
-    /// Has it a camera?
-    pub camera: bool,
-    /// Has it lights?
-    pub lights: bool,
-    /// Has it a background?
-    pub background: bool,
-    /// The material of everything that the file gives no colour, if there is such a thing.
-    pub plain: Option<MaterialId>,
-    /// What is up, as its format or program has it.
-    pub up: Up,
-}
-
-impl Given {
-    /// A file that shows things and says nothing about how.
-    pub(crate) fn nothing() -> Self {
-        Self { camera: false, lights: false, background: false, plain: None, up: Up::PlusZ }
-    }
-
-    /// A file that says everything.
-    pub(crate) fn everything(up: Up) -> Self {
-        Self { camera: true, lights: true, background: true, plain: None, up }
-    }
 }
 
 /// Reads a scene file; its format is known by its content where that is sure, else by its extension.
@@ -104,24 +62,6 @@ pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<L
     }
 }
 
-/// A model's name is often wrong (`.obj` for anything), so what is sure by content comes first; text that could be
-/// anything is what its name says.
-pub(crate) fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
-    let by_name = Format::from_path(path);
-    let by_content = || Format::from_content(bytes);
-    match by_name {
-        // Both are read as what they are called: their errors are better than a guess.
-        Some(Format::Toml | Format::Nff | Format::Pov | Format::Dat) => by_name,
-        Some(Format::Stl | Format::Gltf | Format::Obj | Format::ThreeMf) => match by_content() {
-            Some(other @ (Format::Gltf | Format::ThreeMf | Format::Ply | Format::Vrml)) => Some(other),
-            _ => by_name,
-        },
-        Some(_) => by_name,
-        None if Foreign::of(path, bytes).is_some() => None,
-        None => by_content(),
-    }
-}
-
 /// Reads a scene from bytes. Positions in the report are offsets in `bytes`. Other files that the scene names are not
 /// read: see [`import`].
 ///
@@ -146,32 +86,6 @@ pub fn import(
     let mut beside = Beside::new(folder, &budget);
     let imported = read(format, bytes, &mut beside, &budget)?;
     Ok(Imported { files: beside.into_files(), ..imported })
-}
-
-fn read<'b>(
-    format: Format,
-    bytes: &'b [u8],
-    beside: &mut Beside<'b>,
-    budget: &'b Budget<'b>,
-) -> Result<Imported, ParseError> {
-    let complete = |(scene, report): (CheckedScene, Report), up| Imported {
-        scene,
-        report,
-        given: Given::everything(up),
-        files: Vec::new(),
-    };
-    match format {
-        Format::Toml => Ok(complete(toml::read(bytes, beside, budget)?, Up::PlusY)),
-        Format::Nff => Ok(complete(nff::read(bytes, budget)?, Up::PlusZ)),
-        Format::Stl => stl::read(bytes, budget),
-        Format::Ply => ply::read(bytes, beside, budget),
-        Format::Off => off::read(bytes, budget),
-        Format::Obj => obj::read(bytes, beside, budget),
-        Format::Gltf => gltf::read(bytes, beside, budget),
-        Format::ThreeMf => threemf::read(bytes, budget),
-        Format::Vrml => vrml::read(bytes, budget),
-        Format::Pov | Format::Dat => Err(ParseError::OnlyWritten(format)),
-    }
 }
 
 fn read_file(path: &Path, limits: &Limits) -> Result<Vec<u8>, LoadError> {

@@ -1,6 +1,5 @@
 //! The files of a picture as one sink: each row goes to the picture's encoder and to those of its layers.
 
-
 use brt_image::{
     BandWriter, Channels, EncodeError, Encoding, ExrEncoder, ExrLayers, FileSet, PictureFormat, PictureSize,
     Target, Transfer, WorkClock, encoder,

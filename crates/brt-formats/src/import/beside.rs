@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-use crate::budget::Budget;
+use crate::common::Budget;
 
 /// The folder of the scene file, and what may be read from it.
 #[derive(Debug)]
@@ -87,7 +87,7 @@ fn words_of(error: &io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Limits;
+    use crate::common::Limits;
 
     #[test]
     fn only_files_of_the_folder_are_read() {

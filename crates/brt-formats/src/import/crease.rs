@@ -4,7 +4,7 @@ use brt_geometry::Vec3;
 
 use super::geometry::normal_of;
 use super::weld::Weld;
-use crate::budget::{Budget, Halt};
+use crate::common::{Budget, Halt};
 
 /// Faces that meet at less than this are one smooth surface, in degrees. Between the 11° of a round of 32 sides and
 /// the 45° of a chamfer.
@@ -207,7 +207,7 @@ mod tests {
     use brt_geometry::vec3;
 
     use super::*;
-    use crate::Limits;
+    use crate::common::Limits;
 
     /// Two triangles along the x axis, folded by so many degrees.
     fn fold(degrees: f64) -> (Vec<Vec3>, Vec<[u32; 3]>) {

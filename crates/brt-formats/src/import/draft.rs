@@ -7,13 +7,10 @@ use std::sync::Arc;
 use brt_geometry::vec3;
 use brt_image::{Rgb, rgb};
 use brt_scene::framing::{Framing, Up, framed_camera, studio_lights};
-use brt_scene::{Camera, Diagnostic, Material, MaterialId, Mesh, Object, Projection, Scene, Shape};
+use brt_scene::{Camera, Diagnostic, Material, MaterialId, Mesh, Object, Projection, Report, Scene, Shape};
 
-use super::{Crease, Geometry, Notices};
-use crate::budget::{Budget, Cost, Halt};
-use crate::load::Imported;
-use crate::meshes::Meshes;
-use crate::{Given, LimitExceeded, ParseError};
+use super::{Crease, Geometry, Given, Imported, Notices};
+use crate::common::{Budget, Cost, Halt, LimitExceeded, ParseError};
 
 /// Colour of what a file gives no colour: a light grey with a touch of blue, linear RGB.
 const PLAIN: Rgb = rgb(0.55, 0.6, 0.66);
@@ -36,6 +33,12 @@ pub(crate) struct Draft<'b> {
 pub(crate) struct Part {
     mesh: Arc<Mesh>,
     material: MaterialId,
+}
+
+/// The meshes of a file without their materials, and what was not understood.
+pub(crate) struct Meshes {
+    pub(crate) meshes: Vec<Arc<Mesh>>,
+    pub(crate) report: Report,
 }
 
 /// Why a file is not read to its end.

@@ -8,7 +8,7 @@ use brt_scene::Mesh;
 
 use super::affine::Affine;
 use super::crease::Crease;
-use crate::budget::{Budget, Halt};
+use crate::common::{Budget, Halt};
 
 /// A mesh under construction. Lists per point are empty or as long as `positions`.
 #[derive(Clone, Debug, Default)]
@@ -168,7 +168,7 @@ mod tests {
 
     use super::super::CREASE_DEG;
     use super::*;
-    use crate::Limits;
+    use crate::common::Limits;
 
     /// A prism of `n` sides around z, closed by fans.
     fn prism(n: u32) -> Geometry {

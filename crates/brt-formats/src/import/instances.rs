@@ -4,8 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 use super::Stop;
-use crate::Limits;
-use crate::budget::{Budget, counted};
+use crate::common::{Budget, Limits, counted};
 
 /// Nodes that show something, and others below them.
 pub(crate) trait Graph {

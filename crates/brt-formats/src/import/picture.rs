@@ -9,7 +9,7 @@ use std::sync::Arc;
 use brt_scene::Texels;
 
 use super::picture_decoder::PictureDecoder;
-use crate::budget::Budget;
+use crate::common::Budget;
 
 /// A picture, or why there is none, fit to follow its name.
 pub(crate) type Picture = Result<Arc<Texels>, String>;
@@ -68,7 +68,7 @@ mod tests {
     use png::{BitDepth, ColorType, Encoder};
 
     use super::*;
-    use crate::Limits;
+    use crate::common::Limits;
 
     fn decoded(bytes: &[u8]) -> Result<Texels, String> {
         Pictures::new(&Budget::new(&Limits::default())).decode("x", bytes)
