@@ -5,6 +5,7 @@ mod agree;
 mod borders;
 mod certify;
 mod hard;
+mod modules;
 mod mutate;
 mod povray;
 mod scenes;
@@ -75,6 +76,8 @@ enum Task {
         /// The file to write.
         output: PathBuf,
     },
+    /// Draws which modules use which: `docs/images/modules.svg`.
+    Modules,
     /// Checks laws of the code that neither compiler nor clippy knows; `cargo test` does, too.
     Tidy,
     /// Renders broken variants of scene files; none may crash, hang, or end with another code than 0 or 1.
@@ -116,6 +119,7 @@ fn main() -> anyhow::Result<()> {
         Task::Triangles { triangles, size, scene, output } => {
             triangles::run(&scene, triangles, size, &output)
         }
+        Task::Modules => modules::run(Path::new(".")),
         Task::Tidy => tidy::run(Path::new(".")),
         Task::Mutate { count, brt, files } => mutate::run(count, &brt, &files),
     }

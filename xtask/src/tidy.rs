@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 
+use crate::modules;
+
 /// What must not be said, and where it may be.
 struct Law {
     words: &'static [&'static str],
@@ -60,7 +62,8 @@ const LAWS: [Law; 5] = [
 
 /// Checks all source files below the repository's root.
 pub(crate) fn run(root: &Path) -> Result<()> {
-    let broken = broken_laws(root)?;
+    let mut broken = broken_laws(root)?;
+    broken.extend(modules::broken(root)?);
     ensure!(broken.is_empty(), "{}", broken.join("\n"));
     Ok(())
 }
