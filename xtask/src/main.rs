@@ -46,7 +46,7 @@ enum Task {
     },
     /// The same for random views at random scales, or for random scenes that are hard to compute.
     CertifyViews {
-        /// Instead of views of scenes: tiny, mirrored, shadow, coincident, offset or mixed scenes; all: each of these.
+        /// Instead of views of scenes: tiny, mirrored, shadow, coincident, offset, long, mixed or gaps scenes; all: each of these.
         #[arg(long, conflicts_with = "scenes", value_parser = kinds)]
         kind: Option<Kinds>,
         /// How many pixels to check.

@@ -24,5 +24,5 @@ pub enum RenderError {
     Camera(Problem),
     /// No threads could be started.
     #[error("cannot start threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
+    Threads(#[from] std::io::Error),
 }

@@ -34,6 +34,10 @@ pub(crate) fn render_tile(
         worker.open_background();
         clock.lap(&mut worker.tracer.counters.seconds.perspective);
     }
+    // A perspective image that was broken off shows nothing of sense.
+    if worker.cancel.is_set() {
+        return None;
+    }
     // "Use it to choose the pixels that are ray-traced and those that are interpolated" (P3, P5, P6).
     trace_and_fill(job, worker, tile, &job.settings.method);
     if worker.cancel.is_set() {

@@ -1,9 +1,9 @@
 //! The whole method on one screen.
 
 use std::panic::resume_unwind;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, TryLockError};
 use std::thread;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use brt_scene::{Camera, CheckedScene};
 use rayon::ThreadPool;
@@ -58,14 +58,20 @@ pub fn render(
 pub struct Renderer {
     scene: Arc<CheckedScene>,
     /// One for each accelerator.
-    prepared: Arc<[OnceLock<PreparedScene>; Accelerator::ALL.len()]>,
-    preparing: Arc<Mutex<()>>,
+    prepared: Arc<[Once; Accelerator::ALL.len()]>,
+}
+
+/// A scene that is prepared once.
+#[derive(Debug, Default)]
+struct Once {
+    scene: OnceLock<PreparedScene>,
+    preparing: Mutex<()>,
 }
 
 impl Renderer {
     /// A renderer of a scene.
     pub fn new(scene: impl Into<Arc<CheckedScene>>) -> Self {
-        Self { scene: scene.into(), prepared: Arc::default(), preparing: Arc::default() }
+        Self { scene: scene.into(), prepared: Arc::default() }
     }
 
     /// The scene.
@@ -78,23 +84,15 @@ impl Renderer {
     /// # Errors
     /// If it is cancelled, or the machine has no more threads to give.
     pub fn prepared(&self, accelerator: Accelerator, run: &Run) -> Result<&PreparedScene, RenderError> {
-        match self.prepared[accelerator as usize].get() {
-            Some(prepared) => Ok(prepared),
-            None => self.prepare_once(accelerator, run),
-        }
-    }
-
-    /// Whoever comes while another prepares it waits for that.
-    fn prepare_once(&self, accelerator: Accelerator, run: &Run) -> Result<&PreparedScene, RenderError> {
-        let place = &self.prepared[accelerator as usize];
-        if place.get().is_none() {
-            let _alone = self.preparing.lock().unwrap_or_else(PoisonError::into_inner);
-            if place.get().is_none() {
+        let Once { scene, preparing } = &self.prepared[accelerator as usize];
+        if scene.get().is_none() {
+            let _alone = alone(preparing, run)?;
+            if scene.get().is_none() {
                 // Nobody else has set it since.
-                _ = place.set(prepare_apart(&self.scene, accelerator, run)?);
+                _ = scene.set(prepare_apart(&self.scene, accelerator, run)?);
             }
         }
-        place.get().ok_or(RenderError::Cancelled)
+        scene.get().ok_or(RenderError::Cancelled)
     }
 
     /// Renders a window of the picture of [`Settings::size`] that this camera takes; its rows go to the sink from the top to
@@ -129,6 +127,22 @@ impl Renderer {
     }
 }
 
+/// Waits until nobody else prepares the scene, or it is cancelled.
+fn alone<'m>(preparing: &'m Mutex<()>, run: &Run) -> Result<MutexGuard<'m, ()>, RenderError> {
+    /// A lock cannot be waited for and a flag be watched at once.
+    const MOMENT: Duration = Duration::from_millis(1);
+    let cancel = run.cancel();
+    loop {
+        match preparing.try_lock() {
+            Ok(guard) => return Ok(guard),
+            // Whoever panicked has left nothing behind.
+            Err(TryLockError::Poisoned(poisoned)) => return Ok(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) if cancel.is_set() => return Err(RenderError::Cancelled),
+            Err(TryLockError::WouldBlock) => thread::sleep(MOMENT),
+        }
+    }
+}
+
 /// Prepares a scene on threads that nobody else has.
 ///
 /// A thread of a pool that waits for another pool takes up other work meanwhile. That might be the next window of the scene:
@@ -145,7 +159,10 @@ fn prepare_apart(
         let prepared = thread_pool(threads)?.install(|| prepare(scene, accelerator, cancel));
         prepared.ok_or(RenderError::Cancelled)
     };
-    thread::scope(|scope| scope.spawn(work).join()).unwrap_or_else(|panic| resume_unwind(panic))
+    thread::scope(|scope| {
+        let thread = thread::Builder::new().spawn_scoped(scope, work)?;
+        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+    })
 }
 
 /// A window of a picture, about to be rendered.

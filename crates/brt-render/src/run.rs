@@ -1,11 +1,13 @@
 //! How it is rendered: nothing here changes a byte of the picture.
 
+use std::io;
 use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::settings::Window;
 use brt_geometry::SimdLevel;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::settings::Window;
 
 /// How the work is done.
 #[derive(Clone, Copy, Default)]
@@ -33,8 +35,8 @@ const STACK: usize = 16 << 20;
 ///
 /// # Errors
 /// If the machine has no more threads to give.
-pub fn thread_pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
-    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build()
+pub fn thread_pool(threads: usize) -> io::Result<ThreadPool> {
+    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build().map_err(io::Error::other)
 }
 
 /// Threads to work on.
@@ -105,7 +107,7 @@ impl Cancel<'_> {
 
 impl<'a> Run<'a> {
     /// The threads that are lent, else new ones.
-    pub(crate) fn threads_to_use(&self) -> Result<Pool<'a>, ThreadPoolBuildError> {
+    pub(crate) fn threads_to_use(&self) -> io::Result<Pool<'a>> {
         Ok(match self.pool {
             Some(pool) => Pool::Lent(pool),
             None => Pool::Own(thread_pool(self.threads)?),

@@ -33,9 +33,6 @@ pub enum RenderFilesError {
     /// A file could not be written.
     #[error(transparent)]
     Encode(#[from] EncodeError),
-    /// No threads could be started.
-    #[error("cannot start threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
 }
 
 impl From<RenderError> for RenderFilesError {

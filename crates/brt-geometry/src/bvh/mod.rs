@@ -1,7 +1,7 @@
 //! A tree of boxes with four children a node.
 //!
-//! obvhs builds a binary tree (PLOC with reinsertion; Meister, Bittner 2018) over boxes rounded outward to `f32`,
-//! which [`build`] folds into nodes of four. Traversal is ours, because obvhs's rays are `f32` and lose hits: here a
+//! A binary tree over boxes rounded outward to `f32` ([`ploc`]; Meister, Bittner 2018), which obvhs improves by reinsertion,
+//! is folded by [`build`] into nodes of four. Traversal is ours, because obvhs's rays are `f32` and lose hits: here a
 //! node is entered whenever an exact ray could touch it, and the primitives decide in `f64`.
 
 mod build;

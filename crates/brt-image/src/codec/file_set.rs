@@ -129,9 +129,9 @@ impl FileSet {
         }
         let files = std::mem::take(&mut staged.files);
         // Still locked: an abort comes before the first file is in place, or after the last.
-        replace_all(files.into_iter().map(StagedFile::into_part).collect())?;
-        staged.was_committed = true;
-        Ok(())
+        let replaced = replace_all(files.into_iter().map(StagedFile::into_part).collect());
+        staged.was_committed |= replaced.as_ref().map_or_else(|failed| failed.some_are, |()| true);
+        replaced.map_err(|failed| failed.error)
     }
 
     /// A handle to give the files up with.

@@ -84,11 +84,24 @@ pub(super) fn new_permissions(existing: &Metadata) -> Option<Permissions> {
     Some(existing.permissions())
 }
 
+/// Why not all files are in place.
+pub(super) struct NotReplaced {
+    pub(super) error: io::Error,
+    /// Are some in place, which could not be taken back?
+    pub(super) some_are: bool,
+}
+
+impl From<io::Error> for NotReplaced {
+    fn from(error: io::Error) -> Self {
+        Self { error, some_are: false }
+    }
+}
+
 /// Puts files in place. If one cannot be, those before it are taken back.
-pub(super) fn replace_all(parts: Vec<Part>) -> io::Result<()> {
+pub(super) fn replace_all(parts: Vec<Part>) -> Result<(), NotReplaced> {
     for part in &parts {
         if part.place.path().is_dir() {
-            return Err(naming(&part.target, &io::ErrorKind::IsADirectory.into()));
+            return Err(naming(&part.target, &io::ErrorKind::IsADirectory.into()).into());
         }
     }
     let is_alone = parts.len() == 1;
@@ -99,10 +112,11 @@ pub(super) fn replace_all(parts: Vec<Part>) -> io::Result<()> {
             let kept: Vec<String> = done.into_iter().rev().filter_map(Replaced::take_back).collect();
             let new =
                 if kept.is_empty() { String::new() } else { format!("; new already: {}", kept.join(", ")) };
-            return Err(io::Error::new(
-                error.error.kind(),
-                format!("{}{new}", naming(&target, &error.error)),
-            ));
+            let message = format!("{}{new}", naming(&target, &error.error));
+            return Err(NotReplaced {
+                error: io::Error::new(error.error.kind(), message),
+                some_are: !kept.is_empty(),
+            });
         }
         done.push(Replaced { target, place, before });
     }

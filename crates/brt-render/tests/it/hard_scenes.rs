@@ -50,6 +50,7 @@ promises_hold_for! {
     of_things_that_coincide_or_touch: Coincident,
     of_scenes_far_from_the_origin: Offset,
     of_needles: Long,
+    of_faces_that_are_nearly_one_far_away: Gaps,
     of_anything_at_any_scale: Mixed,
 }
 

@@ -9,6 +9,7 @@ mod common;
 mod counters;
 mod exact_methods;
 mod far_and_tiny;
+mod far_carriers;
 mod first_hits;
 mod golden;
 mod hard_scenes;

@@ -267,3 +267,30 @@ fn layers_alone_cost_no_rays() {
     };
     assert_eq!(stats(Vec::new()), stats(Layer::ALL.to_vec()));
 }
+
+/// Whenever it comes: while outlines are painted, too, of which those that are left show nothing of sense.
+#[test]
+fn a_rendering_that_is_cancelled_ends_without_a_panic_whenever_that_is() {
+    let torus = checked(&brt_scene::procedural::find("torus").unwrap().build(Some(2000)).unwrap());
+    let certified = Method::Certified(CertifiedSettings::default());
+    let settings = Settings { method: certified, ..Settings::new([128, 128]) };
+    let renderer = Renderer::new(torus);
+    let (camera, window) = (renderer.scene().camera.clone(), settings.whole().unwrap());
+    let time = std::time::Instant::now();
+    renderer.render(&camera, window, &settings, &Run::default(), &mut Vec::new()).unwrap();
+    let whole = time.elapsed();
+    let mut cancelled = 0;
+    for moment in 0..200 {
+        let flag = AtomicBool::new(false);
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                std::thread::sleep(whole.mul_f64(f64::from(moment) / 150.0));
+                flag.store(true, Ordering::Relaxed);
+            });
+            let run = Run { threads: 1, cancel: Some(&flag), ..Run::default() };
+            let ended = renderer.render(&camera, window, &settings, &run, &mut Vec::new());
+            cancelled += u32::from(matches!(ended, Err(RenderError::Cancelled)));
+        });
+    }
+    assert!(cancelled > 20, "{cancelled}");
+}

@@ -6,6 +6,7 @@
 mod choices;
 mod coincident;
 mod far;
+mod gaps;
 mod long;
 mod materials;
 mod things;
@@ -33,6 +34,8 @@ pub enum HardKind {
     Coincident,
     /// A scene up to 10¹³ of its sizes from the origin.
     Offset,
+    /// Faces a billionth of the scene apart, so far away that some of them are one.
+    Gaps,
     /// Needles: cones and cylinders up to a million times as long as they are wide.
     Long,
     /// Anything anywhere, at any scale, by any camera.
@@ -41,8 +44,16 @@ pub enum HardKind {
 
 impl HardKind {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Tiny, Self::Mirrored, Self::Shadow, Self::Coincident, Self::Offset, Self::Long, Self::Mixed];
+    pub const ALL: [Self; 8] = [
+        Self::Tiny,
+        Self::Mirrored,
+        Self::Shadow,
+        Self::Coincident,
+        Self::Offset,
+        Self::Long,
+        Self::Mixed,
+        Self::Gaps,
+    ];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -52,6 +63,7 @@ impl HardKind {
             Self::Shadow => "shadow",
             Self::Coincident => "coincident",
             Self::Offset => "offset",
+            Self::Gaps => "gaps",
             Self::Long => "long",
             Self::Mixed => "mixed",
         }
@@ -79,12 +91,16 @@ pub fn hard_scene(kind: HardKind, choices: &mut Choices) -> Option<Scene> {
                 1 => coincident::coincident(choices),
                 _ => far::shadow(choices),
             };
-            return moved(choices, &scene, 1e13);
+            return moved(choices, &scene, Some([0.0, 13.0]));
+        }
+        HardKind::Gaps => {
+            let scene = gaps::gaps(choices);
+            return moved(choices, &scene, Some(gaps::OFFSETS));
         }
         HardKind::Long => long::long(choices),
         HardKind::Mixed => mixed(choices),
     };
-    moved(choices, &scene, 1e3)
+    moved(choices, &scene, None)
 }
 
 /// A scene of opaque things and the same with some of them given twice, which must not be seen.
@@ -167,8 +183,9 @@ fn add(scene: &mut Scene, shape: Shape, material: Material) {
     scene.add(shape, material);
 }
 
-/// The scene turned, scaled and moved up to `farthest` units away, or not; `None` if it cannot be rendered.
-fn moved(choices: &mut Choices, scene: &Scene, farthest: f64) -> Option<Scene> {
+/// The scene turned, scaled and moved, or not; `None` if it cannot be rendered. It is moved at any rate if powers of ten are
+/// given, between which it will be away.
+fn moved(choices: &mut Choices, scene: &Scene, away: Option<[f64; 2]>) -> Option<Scene> {
     let mut scene = scene.clone();
     scene.background = choices.pick(&[brt_image::rgb(0.2, 0.3, 0.4), brt_image::Rgb::BLACK]);
     scene.max_depth = choices.pick(&[3, 0, 1, 6]);
@@ -179,8 +196,9 @@ fn moved(choices: &mut Choices, scene: &Scene, farthest: f64) -> Option<Scene> {
     if choices.one_in(2) {
         scene = turned(&scene, &turn_to(choices.direction()));
     }
-    if farthest > 1e3 || choices.one_in(4) {
-        let offset = choices.direction() * choices.magnitude(0.0, libm::log10(farthest));
+    if away.is_some() || choices.one_in(4) {
+        let [nearest, farthest] = away.unwrap_or([0.0, 3.0]);
+        let offset = choices.direction() * choices.magnitude(nearest, farthest);
         scene = shifted(&scene, offset);
     }
     if choices.one_in(2) {

@@ -19,14 +19,21 @@ pub(super) struct Rounding {
 }
 
 impl Rounding {
-    /// Of what has coordinates up to this.
+    /// Of what has coordinates up to this. Never so much that it could be seen: where numbers are coarser than that, what looks
+    /// the same may be two things.
     fn of(&self, size: f64) -> f64 {
-        CARRIER_ROUNDINGS * (size + self.offset)
+        (CARRIER_ROUNDINGS * (size + self.offset)).min(MOST_MOVED * self.room)
+    }
+
+    /// The same where the scene had not been moved.
+    fn here(size: f64) -> f64 {
+        CARRIER_ROUNDINGS * size
     }
 }
 
-/// No face shares a plane if rays would have to meet it at a greater sine than this.
-const GREATEST_SINE: f64 = 0.05;
+/// By this share of its own size, and of the room that hits have, a primitive may be off a carrier: what stands apart stays
+/// apart.
+const MOST_MOVED: f64 = 0.05;
 
 /// Compares the primitives of a run. Each gets a carrier that it lies on: one of the largest primitives', else that with the
 /// nearest key.
@@ -114,11 +121,9 @@ fn on_carrier_of(owner: &Primitive, primitive: &Primitive, rounding: Rounding) -
             let ends = ends_of(side.base, side.axis, [side.low, side.high]);
             let [low, high] = on_axis(owner.base, owner.axis, ends, rounding)?;
             let size = reach(&ends) + side.radius;
-            is_close(owner.radius, side.radius, rounding.of(size)).then_some(Primitive::Cylinder(Cylinder {
-                low,
-                high,
-                ..*owner
-            }))
+            let is_same = is_close(owner.radius, side.radius, rounding.of(size))
+                && is_no_more_than_its_size(rounding.of(size), side.radius);
+            is_same.then_some(Primitive::Cylinder(Cylinder { low, high, ..*owner }))
         }
         (Primitive::Cone(owner), Primitive::Cone(side)) => {
             let ends = ends_of(side.base, side.axis, [side.low, side.high]);
@@ -128,8 +133,11 @@ fn on_carrier_of(owner: &Primitive, primitive: &Primitive, rounding: Rounding) -
             let is_same = |height: f64, own: f64| {
                 is_close(radius_at(owner, height), radius_at(side, own), rounding.of(size))
             };
-            (is_same(heights[0], side.low) && is_same(heights[1], side.high))
-                .then_some(Primitive::Cone(Cone { low, high, ..*owner }))
+            let widest = side.base_radius.max(radius_at(side, side.high));
+            (is_same(heights[0], side.low)
+                && is_same(heights[1], side.high)
+                && is_no_more_than_its_size(rounding.of(size), widest))
+            .then_some(Primitive::Cone(Cone { low, high, ..*owner }))
         }
         _ => on_plane(owner.plane()?, primitive, rounding),
     }
@@ -141,7 +149,13 @@ fn is_close(a: f64, b: f64, error: f64) -> bool {
 
 fn is_same_ball(a: &Sphere, b: &Sphere, rounding: Rounding) -> bool {
     let error = rounding.of(reach(&[a.center, b.center]) + b.radius);
-    (a.center - b.center).length() <= error && is_close(a.radius, b.radius, error)
+    (a.center - b.center).length() <= error
+        && is_close(a.radius, b.radius, error)
+        && is_no_more_than_its_size(error, b.radius)
+}
+
+fn is_no_more_than_its_size(error: f64, size: f64) -> bool {
+    error <= MOST_MOVED * size
 }
 
 fn ends_of(base: Vec3, axis: Vec3, heights: [f64; 2]) -> [Vec3; 2] {
@@ -166,8 +180,8 @@ fn on_axis(base: Vec3, axis: Vec3, ends: [Vec3; 2], rounding: Rounding) -> Optio
 
 /// A flat primitive in this plane. Which side is its front stays as it is.
 ///
-/// Rays meet it where they meet the plane: beside it by how far it is off over their sine. Of what was rounded far from the
-/// origin this may be more than hits have room for, and rays that are too nearly along it miss it.
+/// Rays meet it where they meet the plane: beside it by how far it is off over their sine, for which hits have room. What was
+/// rounded far from the origin may be farther off: it is moved into the plane, so that all that bounds it bounds its hits.
 fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<Primitive> {
     let own = primitive.plane()?;
     let cosine = own.normal.dot(plane.normal);
@@ -175,32 +189,39 @@ fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<
     if turn * cosine < LEAST_COSINE {
         return None;
     }
-    let off = |p: &Vec3| (plane.normal.dot(*p) - plane.distance).abs();
-    let shared = |greatest: f64, size: f64| {
+    let shared = |greatest: f64| {
         let sine = greatest / rounding.room;
-        let is_on = greatest <= rounding.of(size + plane.distance.abs()) && sine <= GREATEST_SINE;
-        is_on.then(|| Plane {
+        Plane {
             normal: plane.normal * turn,
             distance: plane.distance * turn,
             least_sine_squared: own.least_sine_squared.max(sine * sine),
-        })
+        }
     };
-    // By the greatest coordinate of all corners: one that is at the origin was rotated with the others, and rounds as they do.
-    let with_corners = |corners: &[Vec3]| shared(corners.iter().map(off).fold(0.0, f64::max), reach(corners));
     let tilt = (own.normal - plane.normal * turn).length();
     match primitive {
         Primitive::Triangle(face) => {
-            let plane = with_corners(&face.corners)?;
-            Some(Primitive::Triangle(Triangle { plane, ..*face }))
+            let mut corners = face.corners;
+            let plane = shared(move_into(plane, &mut corners, rounding)?);
+            Some(Primitive::Triangle(Triangle { plane, corners }))
         }
         Primitive::Polygon(face) => {
-            let plane = with_corners(&face.corners)?;
-            Some(Primitive::Polygon(Polygon { plane, corners: face.corners.clone() }))
+            let mut corners = face.corners.clone();
+            let plane = shared(move_into(plane, &mut corners, rounding)?);
+            Some(Primitive::Polygon(Polygon { plane, corners }))
         }
         Primitive::Disc(disc) => {
-            let size = reach(&[disc.center]) + disc.radius;
-            let plane = shared(tilt * disc.radius + off(&disc.center), size)?;
-            Some(Primitive::Disc(Disc { plane, ..*disc }))
+            let size = reach(&[disc.center]) + disc.radius + plane.distance.abs();
+            let off = tilt * disc.radius + height(plane, disc.center).abs();
+            let is_on = off <= rounding.of(size) && is_no_more_than_its_size(off, disc.radius);
+            let mut center = [disc.center];
+            let is_far = off > Rounding::here(size);
+            is_on.then(|| {
+                if is_far {
+                    project(plane, &mut center);
+                }
+                let off = if is_far { height(plane, center[0]).abs() } else { off };
+                Primitive::Disc(Disc { plane: shared(off), center: center[0], ..*disc })
+            })
         }
         Primitive::Plane(own) => {
             let error = rounding.of(own.distance.abs());
@@ -209,4 +230,29 @@ fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<
         }
         Primitive::Sphere(_) | Primitive::Cylinder(_) | Primitive::Cone(_) => None,
     }
+}
+
+/// Moves the corners of a face into a plane if they are farther off than they would be here; returns how far they are off.
+/// `None` if they do not lie on it.
+fn move_into(plane: &Plane, corners: &mut [Vec3], rounding: Rounding) -> Option<f64> {
+    let off = |corners: &[Vec3]| corners.iter().map(|p| height(plane, *p).abs()).fold(0.0, f64::max);
+    // By the greatest coordinate of all corners: one that is at the origin was rotated with the others, and rounds as they do.
+    let size = reach(corners) + plane.distance.abs();
+    let before = off(corners);
+    let extent = corners.iter().map(|p| (*p - corners[0]).length()).fold(0.0, f64::max);
+    if !(before <= rounding.of(size) && is_no_more_than_its_size(before, extent)) {
+        return None;
+    }
+    if before > Rounding::here(size) {
+        project(plane, corners);
+    }
+    Some(off(corners))
+}
+
+fn project(plane: &Plane, points: &mut [Vec3]) {
+    points.iter_mut().for_each(|p| *p = *p - plane.normal * height(plane, *p));
+}
+
+fn height(plane: &Plane, p: Vec3) -> f64 {
+    plane.normal.dot(p) - plane.distance
 }

@@ -113,10 +113,11 @@ pub(in crate::methods::certified) fn shaft_of(
 
 /// Does a light lie so nearly in a plane that it counts as seen from points that are at least `nearest` off the plane?
 ///
-/// From a point at height h a light at height −a is hidden at h / (h + a) of the way, which is within [`LIGHT_MARGIN`] of its end if a is at
-/// most 10⁻⁹ h. Half of that is left for rounding: both heights and the quotient round by less than [`COORDINATE_ROUNDING`].
+/// From a point at height h a light at height −a is hidden at h / (h + a) of the way, which is within [`LIGHT_MARGIN`] of its end
+/// if a is at most 10⁻⁹ h. A quarter of that is for the light's height as it is computed; both heights and the distance found
+/// along the way each round by less than [`COORDINATE_ROUNDING`] of all that they are made of, which is another quarter each.
 fn lies_in_plane(above: f64, nearest: f64, scale: f64) -> bool {
-    let room = 0.5 * LIGHT_MARGIN * nearest;
+    let room = 0.25 * LIGHT_MARGIN * nearest;
     above.abs() <= room && COORDINATE_ROUNDING * scale <= room
 }
 
@@ -131,11 +132,13 @@ pub(in crate::methods::certified) fn is_beside(
     let [lo, hi] = heights.range().map(|height| height - plane.distance);
     let size = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
     let scale = lo.abs().max(hi.abs()) + 2.0 * plane.distance.abs();
+    let of_points =
+        [points.x, points.y, points.z].map(|x| x.range().map(f64::abs).into_iter().fold(0.0, f64::max));
     let (above, margin) = match light {
         PreparedLight::Point { position, .. } => {
             let above = plane.normal.dot(*position) - plane.distance;
             let nearest = if lo > 0.0 { lo } else { -hi };
-            if lies_in_plane(above, nearest, scale + size(*position)) {
+            if lies_in_plane(above, nearest, scale + of_points.iter().sum::<f64>() + size(*position)) {
                 return true;
             }
             (above, BOX_MARGIN * (scale + size(*position)))

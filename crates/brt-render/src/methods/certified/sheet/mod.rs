@@ -79,9 +79,7 @@ impl Certified<'_, '_> {
             let info = &scene.infos[id as usize];
             (info.surface, info.material)
         };
-        // A perspective image that was broken off shows nothing here and there.
-        if ids.is_empty()
-            || ids.len() > MOST_FACETS
+        if ids.len() > MOST_FACETS
             || count < LEAST_EACH * ids.len()
             || ids.iter().any(|&id| of(id) != of(ids[0]))
         {
