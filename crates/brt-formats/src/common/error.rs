@@ -154,7 +154,7 @@ pub enum LimitExceeded {
         times: u64,
     },
     /// A file, or a part of one, is larger than an eighth of [`Limits::memory`](crate::Limits::memory).
-    #[error("{} are too many for one file, which may have {}, an eighth of the memory that is allowed: `--max-memory SIZE` \
+    #[error("{} is too much for one file, which may have {}, an eighth of the memory that is allowed: `--max-memory SIZE` \
              allows more", size(*bytes), size(*allowed))]
     File {
         /// Bytes of the file, as far as it was looked at.

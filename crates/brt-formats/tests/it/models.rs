@@ -77,7 +77,10 @@ fn stl_as_text_and_binary() {
 fn broken_stl_is_refused_with_a_reason() {
     assert!(refused(Format::Stl, &binary_stl(b"x")[..120]).contains("ends after 0 of 1 triangles"));
     assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 x").contains("found `x`"));
-    assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop").contains("a facet of 1 points"));
+    assert!(
+        refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop")
+            .contains("a facet needs 3 points, found 1")
+    );
     assert!(refused(Format::Stl, b"solid empty\nendsolid empty\n").contains("nothing to see"));
 }
 
@@ -86,7 +89,10 @@ fn off_with_colours_per_face() {
     let Imported { scene, .. } = read(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
     assert_is_triangle(&scene);
     assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
-    assert!(refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n").contains("no point 3"));
+    assert!(
+        refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n")
+            .contains("uses point 3, but the file has 3 points")
+    );
     assert!(refused(Format::Off, b"OFF\n4000000000 4000000000 0\n").contains("with 4,000,000,000 points"));
 }
 
@@ -99,7 +105,7 @@ fn ply_with_colours_per_point() {
     assert_is_triangle(&scene);
     let shown = scene.objects[0].material.0 as usize;
     assert_eq!(<[f64; 3]>::from(scene.materials[shown].color), [1.0, 0.0, 0.0]);
-    assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("names point 7"));
+    assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("uses point 7"));
     assert!(
         refused(Format::Ply, text.replace("vertex 3", "vertex 99999999").as_bytes()).contains("in a file of")
     );
@@ -131,13 +137,22 @@ fn obj_says_what_it_misses_and_where() {
     assert_eq!(
         messages,
         [
-            "materials `no.mtl` are not read: the scene has no folder",
+            "cannot read materials `no.mtl`: the scene has no folder",
             "material `x` is not known: the default is used",
             "2 × `curv` ignored",
         ]
     );
-    assert!(refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n").contains("there is no point 2, 1 come before"));
-    assert!(refused(Format::Obj, b"v 0 0 0\nf 0 1 1\n").contains("there is no point 0"));
+    assert!(
+        refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n")
+            .contains("point 2 does not exist: only 1 is defined before it")
+    );
+    assert!(
+        refused(Format::Obj, b"v 1 2\nv 3 4 5\n").contains("found 2 numbers, expected a point, `v x y z`")
+    );
+    assert!(refused(Format::Obj, b"v 0 0 0\nf 1 1\n").contains("a face needs at least 3 points, found 2"));
+    assert!(
+        refused(Format::Obj, b"v 0 0 0\nf 0 1 1\n").contains("point 0 does not exist: indices count from 1")
+    );
 }
 
 /// A triangle below a node that turns it by 90° around x and shifts it, then is mirrored.
@@ -256,7 +271,7 @@ fn threemf_colours_of_corners_are_kept() {
 #[test]
 fn threemf_that_lies_is_refused() {
     for (from, to, why) in [
-        (r#"v3="2""#, r#"v3="9""#, "names point 9"),
+        (r#"v3="2""#, r#"v3="9""#, "uses point 9"),
         (r#"component objectid="1""#, r#"component objectid="2""#, "contains itself"),
         (r#"item objectid="2""#, r#"item objectid="3""#, "no object 3"),
         (r#"p1="0""#, r#"p1="4""#, "no member 4"),
@@ -316,7 +331,7 @@ fn vrml_shapes_uses_and_viewpoints() {
 
 #[test]
 fn vrml_that_lies_is_refused() {
-    assert!(refused(Format::Vrml, VRML.replace("0, 1, 2", "0, 1, 5").as_bytes()).contains("names point 5"));
+    assert!(refused(Format::Vrml, VRML.replace("0, 1, 2", "0, 1, 5").as_bytes()).contains("uses point 5"));
     assert!(refused(Format::Vrml, b"#VRML V1.0 ascii\nSeparator { }").contains("VRML 1.0"));
     let deep = format!("#VRML V2.0 utf8\n{}", "Group { children ".repeat(100_000));
     assert!(refused(Format::Vrml, deep.as_bytes()).contains("nest deeper"));

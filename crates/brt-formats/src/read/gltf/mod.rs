@@ -117,7 +117,7 @@ fn note_ignored(document: &Document, draft: &mut Draft) {
     draft.notices.note_many("animations ignored", animations, "animation 0".to_owned());
     let skins = document.skins().count() as u64;
     draft.notices.note_many(
-        "skins ignored: the mesh is as it was before it was bent",
+        "skins ignored: the mesh is shown in its unposed shape",
         skins,
         "skin 0".to_owned(),
     );
