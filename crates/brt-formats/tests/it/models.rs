@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use crate::common::errors;
+
 use brt_formats::{Format, Imported, Limits, ParseError, import, load};
 use brt_geometry::{Vec3, vec3};
 use brt_scene::framing::Up;
@@ -113,6 +115,33 @@ fn ply_with_colours_per_point() {
 
 #[test]
 fn obj_with_materials_beside_it() {
+#[test]
+fn broken_ply_is_refused_in_plain_words() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n";
+    let ascii = |from: &str, to: &str| errors(Format::Ply, &text.replace(from, to)).join("|");
+    for (from, to, expected) in [
+        ("ply\n", "pie\n", "1: found `pie`, expected `ply`"),
+        ("vertex 3", "vertex", "3: found `element vertex`, expected `element NAME COUNT`"),
+        ("float x", "real x", "4: found `property real x`, expected `property TYPE NAME` or"),
+        ("end_header\n", "end\n", "9: found `end`, expected `format`, `comment`,"),
+        ("format ascii 1.0\n", "", "-: the header has no line such as `format ascii 1.0`"),
+        ("2 0 0", "2 zero 0", "11: found `2 zero 0`, expected a vertex, `x y z`"),
+        ("2 0 0", "2 0", "11: found `2 0`, expected a vertex, `x y z`"),
+        ("3 0 1 2\n3 0 1 2\n", "3 0 1 2\n", "-: the file ends after 1 of 2 faces"),
+        ("3 0 1 2\n3", "9 0 1 2\n3", "13: found `9 0 1 2`, expected a face, `COUNT vertex_indices...`"),
+    ] {
+        let found = ascii(from, to);
+        assert!(found.starts_with(expected), "{found}");
+    }
+    let (header, _) = text.split_once("0 0 0").unwrap();
+    let header = header.replace("ascii", "binary_little_endian");
+    let binary = [header.as_bytes(), &[0; 36]].concat();
+    assert_eq!(refused(Format::Ply, &binary), "the file ends after 0 of 2 faces");
+    assert!(refused(Format::Ply, b"ply\nformat ascii 1.0\n").starts_with("the file ends within its header"));
+    assert_eq!(refused(Format::Ply, b"ply\n\xff\xfe"), "the header is not text");
+}
+
     let folder = tempfile::tempdir().unwrap();
     let obj = "mtllib my parts.mtl\no part\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\ns 1\nf -3//  -2 -1\n";
     std::fs::write(folder.path().join("my parts.mtl"), "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 30\nd 0.25\n")
