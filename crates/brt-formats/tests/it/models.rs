@@ -241,10 +241,12 @@ fn gltf_that_lies_is_refused() {
     for (from, to, why) in [
         (r#""count": 3"#, r#""count": 300000"#, "reaches beyond"),
         (r#""byteLength": 36}]"#, r#""byteLength": 36, "byteOffset": 9}]"#, "reaches beyond"),
-        (r#""mesh": 0"#, r#""mesh": 7"#, "Index out of bounds"),
+        (r#""mesh": 0"#, r#""mesh": 7"#, "`nodes[1].mesh` refers to 7, which does not exist"),
         (r#""children": [1]"#, r#""children": [0]"#, "contains itself"),
         (r#""byteLength": 36, "uri""#, r#""byteLength": 99, "uri""#, "instead of 99"),
     ] {
+        (r#""version": "2.0""#, r#""version": "1.0""#, "glTF 1.0, expected 2.0"),
+        (r#""version": "2.0""#, r#""version": "2.1", "minVersion": "2.1""#, "glTF 2.1, expected 2.0"),
         let text = gltf("");
         assert!(text.contains(from), "{from}");
         let error = refused(Format::Gltf, text.replace(from, to).as_bytes());
@@ -254,6 +256,33 @@ fn gltf_that_lies_is_refused() {
 
 /// A zip file without compression.
 fn zipped(name: &str, content: &[u8]) -> Vec<u8> {
+#[test]
+fn broken_json_is_refused_in_plain_words_at_its_place() {
+    let text = "{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [\n{\"mesh\": 0}\n]}";
+    let with = |from: &str, to: &str| errors(Format::Gltf, &text.replace(from, to)).join("|");
+    let mut wrong = Vec::new();
+    for (from, to, expected) in [
+        ("\"mesh\": 0", "\"mesh\": -1", "3: found the number -1, expected a whole number, at least 0"),
+        ("\"mesh\": 0", "\"name\": [1]", "3: found a list, expected a text in quotes"),
+        ("\"mesh\": 0", "\"scale\": [1]", "3: found a list of length 1, expected a list of length 3"),
+        ("\"mesh\": 0", "mesh: 0", "3: found `mesh`, expected a name in quotes"),
+        ("\"mesh\": 0", "\"mesh\" 0", "3: found `0`, expected `:`"),
+        ("[\n{", "7[\n{", "2: found the number 7, expected a list"),
+        ("]}", "", "3: the JSON ends too early"),
+        ("]}", "]}}", "4: something follows the end of the JSON"),
+        ("\"version\": \"2.0\"", "", "1: the property `version` is missing"),
+        ("\"2.0\"", "2", "1: found the number 2, expected a text in quotes"),
+        ("\"nodes\": [\n{\"mesh\": 0}\n]", "\"nodes\": {}", "2: found an object, expected a list"),
+    ] {
+        let found = with(from, to);
+        if found != expected {
+            wrong.push((to, found));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(refused(Format::Gltf, &[0; 99]).contains("does not begin with `glTF`"));
+}
+
     use std::io::Write as _;
     let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();

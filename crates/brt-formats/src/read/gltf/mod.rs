@@ -9,22 +9,23 @@
 mod accessor;
 mod buffers;
 mod container;
+mod json;
 mod light;
 mod material;
 mod mesh;
 mod nodes;
 mod texture;
+mod words;
 
 use std::collections::BTreeMap;
 
 use brt_scene::framing::Up;
 use gltf::Document;
-use gltf::json::Root;
 
 use super::sniff::text;
 use super::{FileReader, Importer, Likeness};
 use crate::common::{Budget, Cost, Format, Halt};
-use crate::import::{Beside, Draft, Stop, fault};
+use crate::import::{Beside, Draft, Stop};
 use texture::Textures;
 
 /// What there is to know of the format.
@@ -43,8 +44,8 @@ fn names_asset(json: &[u8]) -> bool {
 /// Reads a file into a model.
 fn read<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
     let (json, binary) = container::parts(bytes)?;
-    spend_json(json, draft.budget)?;
-    let document = parsed(json)?;
+    spend_json(json.text, draft.budget)?;
+    let document = json::document(json)?;
     note_ignored(&document, draft);
     leave_pictures(&document, beside);
     let buffers = buffers::read(&document, binary, beside)?;
@@ -64,42 +65,6 @@ fn spend_json(json: &[u8], budget: &Budget) -> Result<(), Halt> {
 fn leave_pictures(document: &Document, beside: &mut Beside) {
     let files = document.as_json().images.iter().filter_map(|image| image.uri.as_deref());
     files.filter(|uri| !uri.starts_with("data:")).for_each(|uri| beside.leave(&buffers::decoded(uri)));
-}
-
-fn parsed(json: &[u8]) -> Result<Document, Stop> {
-    let root: Root =
-        gltf::json::deserialize::from_slice(json).map_err(|error| fault(error.to_string(), None))?;
-    check_positions(&root)?;
-    let error = match Document::from_json(root) {
-        Ok(document) => return Ok(document),
-        Err(error) => error,
-    };
-    Err(match error {
-        gltf::Error::Validation(errors) => {
-            let more =
-                if errors.len() > 1 { format!(" (and {} more)", errors.len() - 1) } else { String::new() };
-            match errors.first() {
-                Some((path, error)) => fault(format!("`{path}`: {error}{more}"), None),
-                None => fault("not valid", None),
-            }
-        }
-        error => fault(error.to_string(), None),
-    })
-}
-
-/// The crate's validation looks positions up before it knows that they exist.
-fn check_positions(root: &Root) -> Result<(), Stop> {
-    let primitives =
-        root.meshes.iter().enumerate().flat_map(|(i, mesh)| mesh.primitives.iter().map(move |p| (i, p)));
-    for (i, primitive) in primitives {
-        if let Some(accessor) = primitive.attributes.values().find(|a| a.value() >= root.accessors.len()) {
-            return Err(fault(
-                format!("mesh {i} names accessor {}, which does not exist", accessor.value()),
-                None,
-            ));
-        }
-    }
-    Ok(())
 }
 
 fn note_ignored(document: &Document, draft: &mut Draft) {
