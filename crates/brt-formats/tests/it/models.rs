@@ -78,6 +78,8 @@ fn stl_as_text_and_binary() {
 #[test]
 fn broken_stl_is_refused_with_a_reason() {
     assert!(refused(Format::Stl, &binary_stl(b"x")[..120]).contains("ends after 0 of 1 triangles"));
+    let short = "60 bytes are too few for a binary STL (at least 84), and it does not begin with `solid`";
+    assert!(refused(Format::Stl, &[1; 60]).contains(short));
     assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 x").contains("found `x`"));
     assert!(
         refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop")
@@ -114,8 +116,6 @@ fn ply_with_colours_per_point() {
 }
 
 #[test]
-fn obj_with_materials_beside_it() {
-#[test]
 fn broken_ply_is_refused_in_plain_words() {
     let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                 element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n";
@@ -142,6 +142,8 @@ fn broken_ply_is_refused_in_plain_words() {
     assert_eq!(refused(Format::Ply, b"ply\n\xff\xfe"), "the header is not text");
 }
 
+#[test]
+fn obj_with_materials_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let obj = "mtllib my parts.mtl\no part\nv 0 0 0\nv 2 0 0\nv 0 1 0\nusemtl red\ns 1\nf -3//  -2 -1\n";
     std::fs::write(folder.path().join("my parts.mtl"), "newmtl red\nKd 1 0 0\nKs 1 1 1\nNs 30\nd 0.25\n")
@@ -243,10 +245,10 @@ fn gltf_that_lies_is_refused() {
         (r#""byteLength": 36}]"#, r#""byteLength": 36, "byteOffset": 9}]"#, "reaches beyond"),
         (r#""mesh": 0"#, r#""mesh": 7"#, "`nodes[1].mesh` refers to 7, which does not exist"),
         (r#""children": [1]"#, r#""children": [0]"#, "contains itself"),
-        (r#""byteLength": 36, "uri""#, r#""byteLength": 99, "uri""#, "instead of 99"),
-    ] {
         (r#""version": "2.0""#, r#""version": "1.0""#, "glTF 1.0, expected 2.0"),
         (r#""version": "2.0""#, r#""version": "2.1", "minVersion": "2.1""#, "glTF 2.1, expected 2.0"),
+        (r#""byteLength": 36, "uri""#, r#""byteLength": 99, "uri""#, "instead of 99"),
+    ] {
         let text = gltf("");
         assert!(text.contains(from), "{from}");
         let error = refused(Format::Gltf, text.replace(from, to).as_bytes());
@@ -254,8 +256,6 @@ fn gltf_that_lies_is_refused() {
     }
 }
 
-/// A zip file without compression.
-fn zipped(name: &str, content: &[u8]) -> Vec<u8> {
 #[test]
 fn broken_json_is_refused_in_plain_words_at_its_place() {
     let text = "{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [\n{\"mesh\": 0}\n]}";
@@ -268,7 +268,7 @@ fn broken_json_is_refused_in_plain_words_at_its_place() {
         ("\"mesh\": 0", "mesh: 0", "3: found `mesh`, expected a name in quotes"),
         ("\"mesh\": 0", "\"mesh\" 0", "3: found `0`, expected `:`"),
         ("[\n{", "7[\n{", "2: found the number 7, expected a list"),
-        ("]}", "", "3: the JSON ends too early"),
+        ("]}", "", "3: the text ends too early"),
         ("]}", "]}}", "4: something follows the end of the JSON"),
         ("\"version\": \"2.0\"", "", "1: the property `version` is missing"),
         ("\"2.0\"", "2", "1: found the number 2, expected a text in quotes"),
@@ -283,6 +283,8 @@ fn broken_json_is_refused_in_plain_words_at_its_place() {
     assert!(refused(Format::Gltf, &[0; 99]).contains("does not begin with `glTF`"));
 }
 
+/// A zip file without compression.
+fn zipped(name: &str, content: &[u8]) -> Vec<u8> {
     use std::io::Write as _;
     let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
@@ -341,7 +343,7 @@ fn threemf_that_lies_is_refused() {
         assert!(error.contains(why), "{error}");
     }
     assert!(refused(Format::ThreeMf, &zipped("a.txt", b"")).contains("no model"));
-    assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("zip"));
+    assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("not a complete zip file: is it truncated?"));
     let limits = Limits { memory: 16_000, ..Limits::default() };
     let bomb = zipped("a.model", &[b' '; 1_000_000]);
     assert!(bomb.len() < 2000);
@@ -404,17 +406,40 @@ fn vrml_that_lies_is_refused() {
 }
 
 #[test]
+fn a_file_without_content_is_empty_in_every_format() {
+    for format in Format::ALL {
+        for bytes in [&b""[..], b" \r\n\t", b"\xef\xbb\xbf\n"] {
+            assert_eq!(refused(format, bytes), "the file is empty", "{format:?}");
+        }
+    }
+}
+
+#[test]
 fn content_tells_formats_of_the_wrong_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("really-a-ply.stl");
     std::fs::write(&path, VRML).unwrap();
     assert!(load(&path, &Limits::default()).is_ok());
-    for (name, word) in
-        [("a.step", "STEP is not read yet: export STL, 3MF or GLB"), ("a.blend", "export GLB")]
-    {
+    for (name, word) in [
+        ("a.step", "STEP files are not read; export STL, 3MF or GLB"),
+        ("a.blend", "export GLB"),
+        ("a.png", "a.png: a picture, not a scene"),
+        ("a.pdb", "a.pdb: molecule files are not read; save VRML from PyMOL (`save x.wrl`)"),
+    ] {
         let path = folder.path().join(name);
         std::fs::write(&path, "x").unwrap();
         let error = load(Path::new(&path), &Limits::default()).unwrap_err().to_string();
         assert!(error.contains(word), "{error}");
     }
+    for name in ["stl.obj", "stl.step"] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, binary_stl(b"x")).unwrap();
+        assert!(load(&path, &Limits::default()).is_ok(), "{name}");
+    }
+    let path = folder.path().join("stl.toml");
+    std::fs::write(&path, binary_stl(b"x")).unwrap();
+    let error = load(&path, &Limits::default()).unwrap_err().to_string();
+    assert!(error.ends_with(
+        "the name says TOML scene, the content STL mesh; `--input-format stl` believes the content"
+    ));
 }

@@ -54,7 +54,7 @@ pub(super) fn plain(text: &str, found: &[u8]) -> (String, Option<String>) {
         "trailing characters" => "something follows the end of the JSON",
         "invalid number" => "this is not a number",
         "recursion limit exceeded" => "lists and objects nest too deeply",
-        _ if text.starts_with("EOF") => "the JSON ends too early",
+        _ if text.starts_with("EOF") => "the text ends too early",
         _ if text.starts_with("control character") => "a line or control character within quotes",
         _ if text.contains("escape") || text.contains("code point") => "a `\\` that stands for no character",
         other => other,

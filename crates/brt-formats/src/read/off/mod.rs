@@ -58,7 +58,7 @@ fn read<'b>(bytes: &'b [u8], _: &mut Beside<'b>, draft: &mut Draft<'b>) -> Resul
 
 fn read_kind(words: &mut Words) -> Result<Kind, Stop> {
     let Some(first) = words.peek() else {
-        return Err(fault("the file is empty", None));
+        return Err(fault("the file holds nothing but comments", None));
     };
     let name = String::from_utf8_lossy(first.bytes).to_ascii_uppercase();
     match name.as_str() {
