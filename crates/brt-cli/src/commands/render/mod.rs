@@ -11,6 +11,7 @@ mod targets;
 
 use std::time::Instant;
 
+use brt::image::EncodeError;
 use brt::{CheckedScene, RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_into};
 
 use crate::commands::text_file;
@@ -104,6 +105,7 @@ fn failure(error: RenderFilesError) -> Failure {
         error => error.into(),
     }
 }
+        RenderFilesError::Encode(EncodeError::Io(error)) => Failure::of_writing(error),
 
 fn outcome(options: &Options, rendered: &Rendered) -> Outcome {
     let error = rendered.verification.map_or(0.0, |found| found.comparison.max_error);
