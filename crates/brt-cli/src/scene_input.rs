@@ -47,13 +47,15 @@ pub(crate) struct LimitOptions {
 
 impl LimitOptions {
     /// The limits of the library.
-    pub(crate) fn limits(self, max_pixels: u64, interrupt: &Interrupt) -> Limits<'_> {
+    ///
+    /// The scene's picture size is checked where it is used: options may name another.
+    pub(crate) fn limits(self, interrupt: &Interrupt) -> Limits<'_> {
         let Self { max_memory, allow_expansion, allow_outside } = self;
         let defaults = Limits::default();
         Limits {
             memory: max_memory.unwrap_or(defaults.memory),
             any_expansion: allow_expansion,
-            max_picture_pixels: max_pixels,
+            max_picture_pixels: u64::MAX,
             files_outside: allow_outside,
             cancel: Some(interrupt.flag()),
         }
@@ -89,10 +91,9 @@ pub(crate) fn is_dash(path: &Path) -> bool {
 pub(crate) fn read(
     path: &Path,
     options: &InputOptions,
-    max_pixels: u64,
     interrupt: &Interrupt,
 ) -> Result<SceneInput, Failure> {
-    let limits = options.limits.limits(max_pixels, interrupt);
+    let limits = options.limits.limits(interrupt);
     let format = options.input_format;
     let input = if is_dash(path) { read_stdin(format, &limits) } else { read_file(path, format, &limits) }?;
     if options.strict && !input.report.diagnostics.is_empty() {

@@ -38,7 +38,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     let Options { input: from, output: path, size, reading } = options;
     let format = written_format(path)?;
     check_distinct(from, std::slice::from_ref(path))?;
-    let input = scene_input::read(from, reading, u64::MAX, &context.interrupt)?;
+    let input = scene_input::read(from, reading, &context.interrupt)?;
     input.show_warnings();
     scene_input::check_spares(&input.files, std::slice::from_ref(path))?;
     let mut scene = input.scene.into_inner();

@@ -76,7 +76,7 @@ enum ProjectionJson {
 
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
-    let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
+    let input = scene_input::read(&options.scene, &options.reading, &context.interrupt)?;
     let run = Run { cancel: Some(context.interrupt.flag()), ..Run::default() };
     let inspection = Inspection::of(&input.scene, &input.given, &input.report.diagnostics, &run)?;
     if options.json {

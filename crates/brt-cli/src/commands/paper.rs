@@ -13,8 +13,6 @@ use crate::scene_input::{self, InputOptions};
 
 /// Sizes beyond this cost hours.
 const GREATEST_SIZE: u32 = 16_384;
-/// Pixels that a scene file may ask for; its size is not used here.
-const MAX_PIXELS: u64 = 1 << 32;
 
 /// Options of `brt paper`.
 #[derive(Debug, Args)]
@@ -68,7 +66,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 fn own_scene(options: &Options, path: &Path, context: &Context) -> Result<(String, brt::Scene), Failure> {
-    let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
+    let input = scene_input::read(path, &options.reading, &context.interrupt)?;
     input.show_warnings();
     let name =
         path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());

@@ -13,9 +13,6 @@ use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
 use crate::scene_input::{self, InputOptions, check_distinct};
 
-/// Pixels that a scene file may ask for; only its proportions are used here.
-const MAX_PIXELS: u64 = 1 << 32;
-
 /// Options of `brt peers`.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
@@ -85,7 +82,7 @@ fn scenes(options: &Options, context: &Context) -> Result<Vec<(String, Scene)>, 
             Some(named) => named.build(None)?,
             None => {
                 check_spared(options, path)?;
-                let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
+                let input = scene_input::read(path, &options.reading, &context.interrupt)?;
                 input.show_warnings();
                 input.scene.into_inner()
             }

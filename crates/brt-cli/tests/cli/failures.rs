@@ -54,6 +54,21 @@ fn errors_in_scenes_are_drawn_and_nothing_is_written() {
 }
 
 #[test]
+fn a_size_that_is_not_used_is_not_checked() {
+    let bench = Bench::new();
+    bench.write("huge.toml", &format!("size = [400000, 400000]\n{SCENE}"));
+    bench.done("render huge.toml -s 8x8 --samples 1 --no-save");
+    bench.done("inspect huge.toml");
+    let ended = bench.run("render huge.toml --no-save");
+    assert_eq!(ended.code, Some(1));
+    assert!(
+        ended.errors.contains("400000×400000") && ended.errors.contains("--max-pixels"),
+        "{}",
+        ended.errors
+    );
+}
+
+#[test]
 fn limits_are_refused_before_anything_is_rendered() {
     let bench = Bench::new();
     for (arguments, part) in [

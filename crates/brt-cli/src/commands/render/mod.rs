@@ -30,7 +30,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     let targets = Targets::new(options)?;
     let method = method::chosen(options)?;
 
-    let input = scene_input::read(&options.scene, &options.reading, options.max_pixels, &context.interrupt)?;
+    let input = scene_input::read(&options.scene, &options.reading, &context.interrupt)?;
     scene_input::check_spares(&input.files, &targets.files())?;
     if !options.quiet {
         input.show_warnings();
