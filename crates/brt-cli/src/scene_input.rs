@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::formats::ParseError;
+use brt::formats::{Foreign, ParseError};
 use brt::image::Place;
 use brt::{
     CheckedScene, Format, Given, Imported, Limits, LoadError, Loaded, Report, import, library, load_as,
@@ -99,9 +99,8 @@ pub(crate) fn read(
     if options.strict && !input.report.diagnostics.is_empty() {
         input.show_warnings();
         let count = input.report.diagnostics.len();
-        return Err(
-            anyhow::anyhow!("{}: {count} warnings, which `--strict` does not let pass", input.name).into()
-        );
+        let warnings = if count == 1 { "warning" } else { "warnings" };
+        return Err(anyhow::anyhow!("{}: {count} {warnings}; `--strict` allows none", input.name).into());
     }
     Ok(input)
 }
@@ -117,18 +116,32 @@ fn read_file(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Sce
     }
 }
 
+/// Why standard input was read as it was.
+const UNKNOWN: &str = "read as TOML, since it looks like nothing else; `--input-format` names another format";
+
 fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = "standard input".to_owned();
     let mut bytes = Vec::new();
     io::stdin().lock().take(limits.file_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
-    let format = format.or_else(|| Format::from_content(&bytes)).unwrap_or(Format::Toml);
-    match import(format, &bytes, None, limits) {
+    if bytes.trim_ascii().is_empty() {
+        return Err(anyhow::anyhow!("{name} is empty").into());
+    }
+    let known = format.or_else(|| Format::from_content(&bytes));
+    if let (None, Some(foreign)) = (known, Foreign::of(Path::new(""), &bytes)) {
+        return Err(anyhow::anyhow!("{name}: {foreign}").into());
+    }
+    let hint = known.is_none().then(|| UNKNOWN.to_owned());
+    match import(known.unwrap_or(Format::Toml), &bytes, None, limits) {
         Ok(Imported { scene, report, given, files }) => {
             Ok(SceneInput { scene, report, given, files, text: text_of(bytes), name })
         }
-        Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
+        Err(ParseError::Malformed(report)) => {
+            let failure = malformed(&report, &name, &text_of(bytes));
+            hint.iter().for_each(|hint| output::hint(hint));
+            Err(failure)
+        }
         Err(ParseError::Cancelled) => Err(Failure::Interrupted),
-        Err(error) => Err(anyhow::anyhow!("{name}: {error}").into()),
+        Err(error) => Err(Failure::CouldNot { error: anyhow::anyhow!("{name}: {error}"), hint }),
     }
 }
 
