@@ -34,7 +34,7 @@ pub(crate) struct InputOptions {
 pub(crate) struct LimitOptions {
     /// Refuse scenes that need more memory for files, pictures and all they show, such as 512MiB, 2GB or a number of bytes
     /// [default: half of the machine's, at most 8GiB]
-    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true, value_parser = values::bytes)]
     max_memory: Option<u64>,
     /// Read small files that need much memory, too: above 512 MiB more than 10,000 times what was read, or parts of a zip
     /// file of more than 16 MiB that were packed to less than a hundredth

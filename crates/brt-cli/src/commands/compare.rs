@@ -33,7 +33,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "OUT")]
     heat_map: Option<PathBuf>,
     /// Refuse pictures of more pixels
-    #[arg(long, value_name = "N", default_value_t = PictureLimits::default().pixels, help_heading = "Limits")]
+    #[arg(long, value_name = "N", default_value_t = PictureLimits::default().pixels, help_heading = "Limits",
+          allow_negative_numbers = true, value_parser = values::count)]
     max_pixels: u64,
 }
 

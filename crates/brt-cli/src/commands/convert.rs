@@ -26,7 +26,7 @@ pub(crate) struct Options {
     output: PathBuf,
     /// Picture size that the scene asks for, and that a view without a camera is framed for [default: the scene's, else
     /// 1024x1024]
-    #[arg(short, long, value_name = "WxH", value_parser = values::size)]
+    #[arg(short, long, value_name = "WxH", allow_hyphen_values = true, value_parser = values::size)]
     size: Option<[u32; 2]>,
     /// Options for reading the scene
     #[command(flatten)]

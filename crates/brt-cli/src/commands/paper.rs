@@ -21,10 +21,12 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "DIR", default_value = "paper-out")]
     output: PathBuf,
     /// Widths and heights of the pictures that are timed [default: 128,256,512,1024,2048; 128,256,512 with --quick]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(16..=i64::from(GREATEST_SIZE)))]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_delimiter = ',',
+          value_parser = clap::value_parser!(u32).range(16..=i64::from(GREATEST_SIZE)))]
     sizes: Option<Vec<u32>>,
     /// Repetitions of each time, of which the median counts [default: 3; 1 with --quick]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=100))]
     repeat: Option<u32>,
     /// The same experiments on your own scene instead of the paper's
     #[arg(long, value_name = "FILE")]

@@ -22,7 +22,8 @@ pub(crate) struct PaperOptions {
     #[arg(long, value_enum)]
     pub(crate) history: Option<HistoryName>,
     /// Side of the first blocks in samples, for `border` and `pixel-selected` [default: 16], for `pencil` [default: 32]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=128))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=128))]
     pub(crate) block: Option<u32>,
     /// Iterative central point selection, for `pixel-selected`
     #[arg(long)]
