@@ -21,6 +21,9 @@ pub(crate) struct Options {
     /// Print it as JSON
     #[arg(long)]
     json: bool,
+    /// Leave out warnings
+    #[arg(short, long)]
+    quiet: bool,
     /// Options for reading the scene
     #[command(flatten)]
     reading: InputOptions,
@@ -82,7 +85,9 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     if options.json {
         output::line(&json::text(&inspection)?)?;
     } else {
-        input.show_warnings();
+        if !options.quiet {
+            input.show_warnings();
+        }
         output::line(&inspection.text())?;
     }
     Ok(Outcome::Done)

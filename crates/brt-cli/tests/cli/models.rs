@@ -88,6 +88,16 @@ fn a_named_format_is_believed() {
 }
 
 #[test]
+fn warnings_are_left_out_where_nobody_wants_them() {
+    let bench = bench();
+    bench.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncurv 1 2\n");
+    assert!(bench.done("inspect odd.obj").errors.contains("`curv` ignored"));
+    assert_eq!(bench.done("inspect odd.obj -q").errors, "");
+    assert_eq!(bench.done("convert odd.obj -q -o odd.toml").errors, "");
+    bench.done("render odd.toml --no-save -s 8x8 --samples 1");
+}
+
+#[test]
 fn models_are_inspected_and_converted() {
     let bench = bench();
     assert!(bench.done("inspect part.off").text().contains("1 mesh"));
