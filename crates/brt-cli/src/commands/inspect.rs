@@ -183,10 +183,11 @@ impl LightJson {
                 format!("point at {}, color {}", spaced(*position), spaced(*color))
             }
             Self::Spot { position, direction, color, outer_deg, .. } => format!(
-                "spot at {}, direction {}, color {}, up to {outer_deg}°",
+                "spot at {}, direction {}, color {}, up to {}°",
                 spaced(*position),
                 spaced(*direction),
-                spaced(*color)
+                spaced(*color),
+                short(*outer_deg)
             ),
             Self::Directional { direction, color } => {
                 format!("directional along {}, color {}", spaced(*direction), spaced(*color))
@@ -211,10 +212,9 @@ impl CameraJson {
     fn text(&self) -> String {
         let projection = match self.projection {
             ProjectionJson::Perspective { fov_deg } => {
-                // Angles are computed from slopes: 30 comes back as 29.999999999999996.
-                format!("perspective, {}°", (fov_deg * 1e9).round() / 1e9)
+                format!("perspective, {}°", short(fov_deg))
             }
-            ProjectionJson::Orthographic { extent } => format!("orthographic, extent {extent}"),
+            ProjectionJson::Orthographic { extent } => format!("orthographic, extent {}", short(extent)),
         };
         format!("at {} towards {}, {projection}", spaced(self.eye), spaced(self.look_at))
     }
@@ -236,5 +236,11 @@ fn triple(v: Vec3) -> [f64; 3] {
 }
 
 fn spaced([x, y, z]: [f64; 3]) -> String {
+    let [x, y, z] = [x, y, z].map(short);
     format!("({x}, {y}, {z})")
+}
+
+/// As many digits as people read; slopes and angles come back as 29.999999999999996.
+fn short(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
 }

@@ -98,6 +98,14 @@ fn warnings_are_left_out_where_nobody_wants_them() {
 }
 
 #[test]
+fn people_read_six_digits_and_programs_all() {
+    let bench = bench();
+    bench.write("third.off", &OFF.replace("2 0 0", "0.12345678 0 0"));
+    assert!(bench.done("inspect third.off").text().contains("(0.123457, 1, 1)"));
+    assert_eq!(bench.done("inspect third.off --json").json()["bounds"][1][0], 0.12345678);
+}
+
+#[test]
 fn models_are_inspected_and_converted() {
     let bench = bench();
     assert!(bench.done("inspect part.off").text().contains("1 mesh"));
