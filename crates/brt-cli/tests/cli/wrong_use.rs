@@ -42,7 +42,8 @@ fn values_out_of_range() {
         ("render ball.toml -j 100000", "1..=1024"),
         ("render ball.toml --samples 2", "expected 1, 4, 16, 64 or 256\n"),
         ("render ball.toml --bits 9", "possible values: 8, 16"),
-        ("render ball.toml --delta -1", "error"),
+        ("render ball.toml --input-format step", "expected one of toml, nff, stl,"),
+        ("render ball.toml --delta -1", "at least 0"),
         ("render ball.toml --delta nan", "at least 0"),
         ("render ball.toml --block 129", "1..=128"),
         ("render ball.toml --layers depth,colour", "surface"),
@@ -53,7 +54,6 @@ fn values_out_of_range() {
     ]);
 }
 
-#[test]
 #[test]
 fn negative_values_get_the_words_of_their_option() {
     refuses(&[
@@ -77,6 +77,7 @@ fn negative_values_get_the_words_of_their_option() {
     ]);
 }
 
+#[test]
 fn outputs_that_make_no_sense() {
     refuses(&[
         ("render ball.toml -o a.ppm --compression small", "`--compression` belongs to .png"),
@@ -96,7 +97,10 @@ fn outputs_that_make_no_sense() {
         ("scene balls --size 30", "expected a number from 1 to 6"),
         ("scene seed-a --size 3", "no size to choose"),
         ("compare a.png b.png --heat-map h.gif", "h.gif"),
-        ("compare a.png b.png --heat-map a.png", "overwrite"),
+        ("compare a.png b.png --heat-map a.png", "a.png would overwrite a picture that is compared"),
+        ("convert ball.toml a.toml -o b.toml", "cannot be used with"),
+        ("convert ball.toml", "required"),
+        ("render ball.toml -s 1x2 --sheet", "a sheet needs at least 2×2 pixels"),
     ]);
 }
 
@@ -117,6 +121,7 @@ fn habits_of_others_get_a_hint() {
         ("render ball.toml -res 800 600", "hint: the size is `--size WIDTHxHEIGHT` here"),
         ("render ball.toml -aasamples 12", "hint: samples per pixel are `--samples 1|4|16|64` here"),
         ("render ball.toml +A0.3", "hint: `--samples 1|4|16|64` smooths edges here"),
+        ("render ball.toml --verify rows", "hint: did you mean `--verify=rows`?"),
         ("part.stl", "hint: did you mean `brt render part.stl`?"),
         ("ball.toml -o a.png", "hint: did you mean `brt render ball.toml`?"),
         ("", "Usage: brt <COMMAND>"),

@@ -16,7 +16,7 @@ use brt::{CheckedScene, RenderError, RenderFilesError, Rendered, Run, Scene, Set
 
 use crate::commands::text_file;
 use crate::context::Context;
-use crate::exit::{Failure, Outcome};
+use crate::exit::{Failure, Outcome, wrong_use};
 use crate::progress::{Bar, NoBar};
 use crate::{output, scene_input};
 
@@ -41,6 +41,9 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     targets::check_size(size, options.max_pixels)?;
     let settings = settings(options, method, size);
     if options.view.sheet {
+        if size.contains(&1) {
+            return Err(wrong_use("a sheet needs at least 2×2 pixels"));
+        }
         sheet::render(options, &targets, context, scene, &input.given, &settings)?;
         return Ok(Outcome::Done);
     }
@@ -102,10 +105,10 @@ fn render(
 fn failure(error: RenderFilesError) -> Failure {
     match error {
         RenderFilesError::Render(RenderError::Cancelled) => Failure::Interrupted,
+        RenderFilesError::Encode(EncodeError::Io(error)) => Failure::of_writing(error),
         error => error.into(),
     }
 }
-        RenderFilesError::Encode(EncodeError::Io(error)) => Failure::of_writing(error),
 
 fn outcome(options: &Options, rendered: &Rendered) -> Outcome {
     let error = rendered.verification.map_or(0.0, |found| found.comparison.max_error);
