@@ -36,11 +36,11 @@ pub(crate) struct LimitOptions {
     /// [default: half of the machine's, at most 8GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true, value_parser = values::bytes)]
     max_memory: Option<u64>,
-    /// Read small files that need much memory, too: above 512 MiB more than 10,000 times what was read, or parts of a zip
+    /// Accept small files that expand enormously: above 512 MiB to more than 10,000 times what was read, or parts of a zip
     /// file of more than 16 MiB that were packed to less than a hundredth
     #[arg(long)]
     allow_expansion: bool,
-    /// Read files that the scene names from outside of its folder, too
+    /// Read files that the scene names from outside its folder, too
     #[arg(long)]
     allow_outside: bool,
 }
@@ -193,7 +193,7 @@ pub(crate) fn check_distinct(scene: &Path, outputs: &[PathBuf]) -> Result<(), Fa
 }
 
 /// Also of files that are not there yet.
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(crate) fn same_file(a: &Path, b: &Path) -> bool {
     match (Place::of(a), Place::of(b)) {
         (Ok(a), Ok(b)) => a == b,
         _ => a == b,

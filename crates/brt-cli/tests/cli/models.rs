@@ -74,7 +74,7 @@ fn formats_that_are_not_read_get_advice() {
     fs::write(bench.path("a.step"), "ISO-10303-21;").unwrap();
     let ended = bench.run("render a.step");
     assert_eq!(ended.code, Some(1));
-    assert!(ended.errors.contains("STEP is not read yet: export STL, 3MF or GLB"), "{}", ended.errors);
+    assert!(ended.errors.contains("STEP files are not read; export STL, 3MF or GLB"), "{}", ended.errors);
     assert!(bench.done("formats").text().contains(".gltf, .glb"));
 }
 

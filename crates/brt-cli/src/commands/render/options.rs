@@ -57,10 +57,10 @@ pub(crate) struct Options {
     /// Bits of a channel, for .png and .ppm [default: 8]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = values::bits())]
     pub(crate) bits: Option<BitDepth>,
-    /// How much time is given to make a .png small; the picture is the same [default: fast]
+    /// Effort spent on making a .png small; the picture is the same [default: fast]
     #[arg(long, value_enum, value_name = "HOW")]
     pub(crate) compression: Option<CompressionName>,
-    /// Layers to write too, with commas between: beside the picture as OUT.LAYER.png, or inside an .exr
+    /// Further layers to write, separated by commas: beside the picture as OUT.LAYER.png, or inside an .exr
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = values::layer())]
     pub(crate) layers: Vec<PictureLayer>,
     /// Write counts and times as JSON; `-` for standard output
@@ -84,10 +84,10 @@ pub(crate) struct Options {
     /// Write no picture: for timing
     #[arg(long, conflicts_with_all = ["out", "output", "layers", "bits", "compression"])]
     pub(crate) no_save: bool,
-    /// Say nothing but errors, and what is verified where it is above its limit
+    /// Print only errors, and failed verifications
     #[arg(short, long)]
     pub(crate) quiet: bool,
-    /// Print the summary even where nobody looks, and more of it
+    /// Print a longer summary, even if standard error is not a terminal
     #[arg(short, long, action = ArgAction::SetTrue, conflicts_with = "quiet")]
     pub(crate) verbose: bool,
     /// Options of the methods of 1987

@@ -28,7 +28,7 @@ pub(crate) struct PaperOptions {
     /// Iterative central point selection, for `pixel-selected`
     #[arg(long)]
     pub(crate) icps: bool,
-    /// What saves tests of primitives
+    /// Index that saves tests of rays with primitives
     #[arg(long, value_enum, default_value_t)]
     pub(crate) accelerator: AcceleratorName,
 }
@@ -48,10 +48,10 @@ pub(crate) enum JudgeName {
 /// Treatments of blocks with two surfaces by name.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(crate) enum RegionsName {
-    /// The one that can be interpolated is
+    /// Interpolate each region that can be
     #[default]
     Separate,
-    /// Both are interpolated or none
+    /// Interpolate both regions or none
     Together,
 }
 
@@ -61,7 +61,7 @@ pub(crate) enum HistoryName {
     /// Same surfaces, same lights seen
     #[default]
     Lit,
-    /// And lights hidden by the same surfaces
+    /// Also which surfaces hide lights
     Shadower,
 }
 
