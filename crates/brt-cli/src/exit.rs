@@ -1,6 +1,7 @@
 //! How the command ends: exit codes and the last words.
 
 use std::error::Error;
+use std::io;
 use std::process::ExitCode;
 
 use crate::interrupt::Interrupt;
@@ -33,6 +34,8 @@ pub(crate) enum Failure {
     Reported,
     /// A signal stopped it.
     Interrupted,
+    /// The reader of its output went away: nobody misses the rest.
+    Unread,
 }
 
 impl<E: Into<anyhow::Error>> From<E> for Failure {
@@ -65,8 +68,17 @@ pub(crate) fn run(interrupt: &Interrupt, command: impl FnOnce() -> Result<Outcom
 }
 
 impl Failure {
+    /// Why something could not be written. A reader that went away is no error.
+    pub(crate) fn of_writing(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Unread,
+            _ => error.into(),
+        }
+    }
+
     fn code(&self) -> u8 {
         match self {
+            Self::Unread => 0,
             Self::CouldNot { .. } | Self::Reported | Self::Interrupted => 1,
             Self::CommandLine(_) | Self::WrongUse(_) => 2,
         }
@@ -86,7 +98,7 @@ fn report(failure: &Failure) {
                 output::hint(hint);
             }
         }
-        Failure::Interrupted | Failure::Reported => {}
+        Failure::Interrupted | Failure::Reported | Failure::Unread => {}
     }
     if failure.code() == 2
         && let Some(hint) = habits::hint(std::env::args_os().skip(1))

@@ -58,7 +58,17 @@ enum Match {
 /// A hint for a command line that went wrong, if it looks like somebody's habit.
 pub(crate) fn hint(args: impl Iterator<Item = OsString>) -> Option<String> {
     let args: Vec<String> = args.map(|arg| arg.to_string_lossy().into_owned()).collect();
-    forgotten_command(args.first()?).or_else(|| args.iter().find_map(|arg| foreign_option(arg)))
+    forgotten_command(args.first()?)
+        .or_else(|| split_verify(&args))
+        .or_else(|| args.iter().find_map(|arg| foreign_option(arg)))
+}
+
+/// `--verify rows`
+fn split_verify(args: &[String]) -> Option<String> {
+    let which = args.windows(2).find(|pair| pair[0] == "--verify").map(|pair| pair[1].as_str());
+    which
+        .filter(|which| ["rows", "all"].contains(which))
+        .map(|which| format!("did you mean `--verify={which}`?"))
 }
 
 /// `brt part.stl`
@@ -96,6 +106,7 @@ mod tests {
             ("render a.toml -aasamples 12", "--samples"),
             ("render a.toml +A0.3", "--samples"),
             ("render a.toml +WT4", "--threads"),
+            ("render a.toml --verify rows", "did you mean `--verify=rows`?"),
             ("part.stl", "did you mean `brt render part.stl`?"),
         ] {
             assert!(hint_for(line).is_some_and(|hint| hint.contains(part)), "{line}");

@@ -26,6 +26,7 @@ pub(crate) fn bytes(bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// If it did not get there.
 pub(crate) fn printed(result: io::Result<()>) -> io::Result<()> {
+    check_open()?;
     match result.and_then(|()| io::stdout().lock().flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(io::Error::new(error.kind(), format!("cannot write standard output: {error}")))
@@ -34,12 +35,23 @@ pub(crate) fn printed(result: io::Result<()>) -> io::Result<()> {
     }
 }
 
+/// Refuses to write to a standard output that is not there.
+///
+/// # Errors
+/// If it is closed.
+pub(crate) fn check_open() -> io::Result<()> {
+    if is_closed() {
+        return Err(io::Error::other("cannot write standard output: it is closed"));
+    }
+    Ok(())
+}
+
 /// Was the command started without standard output?
 ///
 /// The library opens the null device in its place, and all that is written is lost without an error. It does so for
 /// reading and writing, which shells do not.
 #[cfg(unix)]
-pub(crate) fn is_closed() -> bool {
+fn is_closed() -> bool {
     use std::fs::{self, File};
     use std::os::fd::AsFd;
     use std::os::unix::fs::MetadataExt;
@@ -57,7 +69,7 @@ pub(crate) fn is_closed() -> bool {
 }
 
 #[cfg(not(unix))]
-pub(crate) fn is_closed() -> bool {
+fn is_closed() -> bool {
     false
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use brt::formats::ParseError;
+use brt::formats::{Foreign, ParseError};
 use brt::image::Place;
 use brt::{
     CheckedScene, Format, Given, Imported, Limits, LoadError, Loaded, Report, import, library, load_as,
@@ -34,26 +34,28 @@ pub(crate) struct InputOptions {
 pub(crate) struct LimitOptions {
     /// Refuse scenes that need more memory for files, pictures and all they show, such as 512MiB, 2GB or a number of bytes
     /// [default: half of the machine's, at most 8GiB]
-    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true, value_parser = values::bytes)]
     max_memory: Option<u64>,
-    /// Read small files that need much memory, too: above 512 MiB more than 10,000 times what was read, or parts of a zip
+    /// Accept small files that expand enormously: above 512 MiB to more than 10,000 times what was read, or parts of a zip
     /// file of more than 16 MiB that were packed to less than a hundredth
     #[arg(long)]
     allow_expansion: bool,
-    /// Read files that the scene names from outside of its folder, too
+    /// Read files that the scene names from outside its folder, too
     #[arg(long)]
     allow_outside: bool,
 }
 
 impl LimitOptions {
     /// The limits of the library.
-    pub(crate) fn limits(self, max_pixels: u64, interrupt: &Interrupt) -> Limits<'_> {
+    ///
+    /// The scene's picture size is checked where it is used: options may name another.
+    pub(crate) fn limits(self, interrupt: &Interrupt) -> Limits<'_> {
         let Self { max_memory, allow_expansion, allow_outside } = self;
         let defaults = Limits::default();
         Limits {
             memory: max_memory.unwrap_or(defaults.memory),
             any_expansion: allow_expansion,
-            max_picture_pixels: max_pixels,
+            max_picture_pixels: u64::MAX,
             files_outside: allow_outside,
             cancel: Some(interrupt.flag()),
         }
@@ -89,18 +91,16 @@ pub(crate) fn is_dash(path: &Path) -> bool {
 pub(crate) fn read(
     path: &Path,
     options: &InputOptions,
-    max_pixels: u64,
     interrupt: &Interrupt,
 ) -> Result<SceneInput, Failure> {
-    let limits = options.limits.limits(max_pixels, interrupt);
+    let limits = options.limits.limits(interrupt);
     let format = options.input_format;
     let input = if is_dash(path) { read_stdin(format, &limits) } else { read_file(path, format, &limits) }?;
     if options.strict && !input.report.diagnostics.is_empty() {
         input.show_warnings();
         let count = input.report.diagnostics.len();
-        return Err(
-            anyhow::anyhow!("{}: {count} warnings, which `--strict` does not let pass", input.name).into()
-        );
+        let warnings = if count == 1 { "warning" } else { "warnings" };
+        return Err(anyhow::anyhow!("{}: {count} {warnings}; `--strict` allows none", input.name).into());
     }
     Ok(input)
 }
@@ -116,18 +116,32 @@ fn read_file(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Sce
     }
 }
 
+/// Why standard input was read as it was.
+const UNKNOWN: &str = "read as TOML, since it looks like nothing else; `--input-format` names another format";
+
 fn read_stdin(format: Option<Format>, limits: &Limits) -> Result<SceneInput, Failure> {
     let name = "standard input".to_owned();
     let mut bytes = Vec::new();
     io::stdin().lock().take(limits.file_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
-    let format = format.or_else(|| Format::from_content(&bytes)).unwrap_or(Format::Toml);
-    match import(format, &bytes, None, limits) {
+    if bytes.trim_ascii().is_empty() {
+        return Err(anyhow::anyhow!("{name} is empty").into());
+    }
+    let known = format.or_else(|| Format::from_content(&bytes));
+    if let (None, Some(foreign)) = (known, Foreign::of(Path::new(""), &bytes)) {
+        return Err(anyhow::anyhow!("{name}: {foreign}").into());
+    }
+    let hint = known.is_none().then(|| UNKNOWN.to_owned());
+    match import(known.unwrap_or(Format::Toml), &bytes, None, limits) {
         Ok(Imported { scene, report, given, files }) => {
             Ok(SceneInput { scene, report, given, files, text: text_of(bytes), name })
         }
-        Err(ParseError::Malformed(report)) => Err(malformed(&report, &name, &text_of(bytes))),
+        Err(ParseError::Malformed(report)) => {
+            let failure = malformed(&report, &name, &text_of(bytes));
+            hint.iter().for_each(|hint| output::hint(hint));
+            Err(failure)
+        }
         Err(ParseError::Cancelled) => Err(Failure::Interrupted),
-        Err(error) => Err(anyhow::anyhow!("{name}: {error}").into()),
+        Err(error) => Err(Failure::CouldNot { error: anyhow::anyhow!("{name}: {error}"), hint }),
     }
 }
 
@@ -179,7 +193,7 @@ pub(crate) fn check_distinct(scene: &Path, outputs: &[PathBuf]) -> Result<(), Fa
 }
 
 /// Also of files that are not there yet.
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(crate) fn same_file(a: &Path, b: &Path) -> bool {
     match (Place::of(a), Place::of(b)) {
         (Ok(a), Ok(b)) => a == b,
         _ => a == b,

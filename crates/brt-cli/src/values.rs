@@ -1,9 +1,12 @@
 //! Values on the command line.
 
+use std::ffi::OsStr;
+
 use brt::framing::{Up, View};
 use brt::{BitDepth, Format, PictureLayer, Rgb, Samples, SimdLevel, Transfer, rgb};
 use bytesize::ByteSize;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Command};
 
 /// `WIDTHxHEIGHT` in pixels.
 pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
@@ -51,6 +54,11 @@ pub(crate) fn up(text: &str) -> Result<Up, String> {
 pub(crate) fn bytes(text: &str) -> Result<u64, String> {
     let expected = |_| "expected a size such as 512MiB, 2GB or 1073741824 (bytes)".to_owned();
     text.parse::<ByteSize>().map(|size| size.as_u64()).map_err(expected)
+}
+
+/// How many.
+pub(crate) fn count(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| "expected a whole number, at least 0".to_owned())
 }
 
 /// A finite number above 0.
@@ -103,12 +111,40 @@ pub(crate) fn background(text: &str) -> Result<Background, String> {
     color(text).map(Background::Color).map_err(|expected| format!("{expected}, or transparent"))
 }
 
-/// A scene format by its usual extension.
+/// Values that help lists and errors name, all of them: one that is spelled alike may be far off.
+#[derive(Clone)]
+struct Listed<T> {
+    parse: fn(&str) -> Result<T, String>,
+    values: fn() -> Vec<PossibleValue>,
+}
+
+impl<T: Clone + Send + Sync + 'static> TypedValueParser for Listed<T> {
+    type Value = T;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<T, clap::Error> {
+        TypedValueParser::parse_ref(&self.parse, command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new((self.values)().into_iter()))
+    }
+}
+
+/// Extensions of all formats that are read.
+fn readable() -> impl Iterator<Item = (&'static str, Format)> {
+    let formats = Format::ALL.into_iter().filter(|format| format.reads());
+    formats.flat_map(|format| format.extensions().iter().map(move |name| (*name, format)))
+}
+
+/// A scene format by one of its extensions.
 pub(crate) fn input_format() -> impl TypedValueParser<Value = Format> {
-    let readable = Format::ALL.into_iter().filter(|format| format.reads());
-    let names =
-        readable.flat_map(|f| f.extensions().iter().map(move |e| PossibleValue::new(*e).help(f.name())));
-    PossibleValuesParser::new(names).try_map(|name| Format::from_name(&name).ok_or("no such format"))
+    let parse = |text: &str| {
+        let found = readable().find(|(name, _)| *name == text);
+        let names = || readable().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+        found.map(|(_, format)| format).ok_or_else(|| format!("expected one of {}", names()))
+    };
+    let values = || readable().map(|(name, format)| PossibleValue::new(name).help(format.name())).collect();
+    Listed { parse, values }
 }
 
 /// A finite number, at least 0.
@@ -119,12 +155,12 @@ pub(crate) fn not_negative(text: &str) -> Result<f64, String> {
 
 /// Samples per pixel.
 pub(crate) fn samples() -> impl TypedValueParser<Value = Samples> {
-    let counts = Samples::ALL
-        .map(|s| PossibleValue::new(["1", "4", "16", "64", "256"][s.per_side().ilog2() as usize]));
-    PossibleValuesParser::new(counts).map(|text| {
+    let parse = |text: &str| {
         let named = |s: &Samples| s.per_pixel().to_string() == text;
-        Samples::ALL.into_iter().find(named).unwrap_or_default()
-    })
+        Samples::ALL.into_iter().find(named).ok_or_else(|| "expected 1, 4, 16, 64 or 256".to_owned())
+    };
+    let values = || ["1", "4", "16", "64", "256"].map(PossibleValue::new).into();
+    Listed { parse, values }
 }
 
 /// Vector instructions by their name.

@@ -8,7 +8,7 @@ use brt_scene::{CheckedScene, Report};
 
 use crate::common::{Budget, Foreign, Format, Halt, Limits, LoadError, ParseError};
 use crate::import::{Beside, Given, Imported};
-use crate::read::{format_of, read};
+use crate::read::{check_content, format_of, read, sure_format};
 
 /// A scene file that was read.
 #[derive(Clone, Debug)]
@@ -40,25 +40,34 @@ pub fn load(path: &Path, limits: &Limits) -> Result<Loaded, LoadError> {
 /// See [`load`].
 pub fn load_as(path: &Path, format: Option<Format>, limits: &Limits) -> Result<Loaded, LoadError> {
     let bytes = read_file(path, limits)?;
-    let format = match format.or_else(|| format_of(path, &bytes)) {
-        Some(format) => format,
-        None => {
-            let path = path.to_owned();
-            return Err(match Foreign::of(&path, &bytes) {
-                Some(foreign) => LoadError::Foreign { path, foreign },
-                None => LoadError::UnknownFormat { path },
-            });
-        }
+    let Some(found) = format.or_else(|| format_of(path, &bytes)) else {
+        return Err(unknown(path, bytes));
     };
     // The folder of a bare name is the current one.
     let folder =
         path.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
-    match import(format, &bytes, folder, limits) {
+    match import(found, &bytes, folder, limits) {
         Ok(Imported { scene, report, given, files }) => {
             let text = text_for(&report, bytes);
             Ok(Loaded { scene, report, given, files, text })
         }
-        Err(error) => Err(with_path(error, path, bytes)),
+        Err(error) => {
+            let is_broken = matches!(error, ParseError::Malformed(_) | ParseError::NotUtf8 { .. });
+            let content = sure_format(&bytes).filter(|content| *content != found);
+            Err(match content.filter(|_| is_broken && format.is_none()) {
+                Some(content) => LoadError::Misnamed { path: path.to_owned(), named: found, content },
+                None => with_path(error, path, bytes),
+            })
+        }
+    }
+}
+
+/// Why a file is not read whose format nothing tells.
+fn unknown(path: &Path, bytes: Vec<u8>) -> LoadError {
+    match (Foreign::of(path, &bytes), check_content(&bytes)) {
+        (Some(foreign), _) => LoadError::Foreign { path: path.to_owned(), foreign },
+        (None, Err(empty)) => with_path(empty, path, bytes),
+        (None, Ok(())) => LoadError::UnknownFormat { path: path.to_owned() },
     }
 }
 

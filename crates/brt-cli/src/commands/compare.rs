@@ -11,7 +11,7 @@ use crate::context::Context;
 use crate::exit::{Failure, Outcome, wrong_use};
 use crate::json::{self, ComparisonJson};
 use crate::output;
-use crate::scene_input::{check_distinct, is_dash};
+use crate::scene_input::{is_dash, same_file};
 use crate::values;
 
 /// Options of `brt compare`.
@@ -33,7 +33,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "OUT")]
     heat_map: Option<PathBuf>,
     /// Refuse pictures of more pixels
-    #[arg(long, value_name = "N", default_value_t = PictureLimits::default().pixels, help_heading = "Limits")]
+    #[arg(long, value_name = "N", default_value_t = PictureLimits::default().pixels, help_heading = "Limits",
+          allow_negative_numbers = true, value_parser = values::count)]
     max_pixels: u64,
 }
 
@@ -101,8 +102,11 @@ impl HeatMap {
     /// Opens the file, not over one of the pictures, before these are read, which may take long.
     fn open(options: &Options, path: &Path, context: &Context) -> Result<Self, Failure> {
         let Output { encoding, .. } = Output::to_file(path).map_err(|error| wrong_use(error.to_string()))?;
-        for picture in [&options.reference, &options.test] {
-            check_distinct(picture, &[path.to_owned()])?;
+        if [&options.reference, &options.test]
+            .into_iter()
+            .any(|picture| !is_dash(picture) && same_file(picture, path))
+        {
+            return Err(wrong_use(format!("{} would overwrite a picture that is compared", path.display())));
         }
         Ok(Self { file: context.files.open(&Target::File(path.to_owned()))?, encoding })
     }

@@ -22,12 +22,18 @@ pub(crate) struct Options {
     ///
     /// Beside `OUT.toml` large meshes become `OUT.NAME.ply` and pictures `OUT.NAME.png`, which it names; on standard
     /// output all stands in the text.
-    #[arg(value_name = "OUT")]
-    output: PathBuf,
+    #[arg(value_name = "OUT", required_unless_present = "output", conflicts_with = "output")]
+    out: Option<PathBuf>,
+    /// Same as OUT
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
     /// Picture size that the scene asks for, and that a view without a camera is framed for [default: the scene's, else
     /// 1024x1024]
-    #[arg(short, long, value_name = "WxH", value_parser = values::size)]
+    #[arg(short, long, value_name = "WxH", allow_hyphen_values = true, value_parser = values::size)]
     size: Option<[u32; 2]>,
+    /// Leave out warnings
+    #[arg(short, long)]
+    quiet: bool,
     /// Options for reading the scene
     #[command(flatten)]
     reading: InputOptions,
@@ -35,11 +41,15 @@ pub(crate) struct Options {
 
 /// Converts a scene.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
-    let Options { input: from, output: path, size, reading } = options;
+    let Options { input: from, size, reading, quiet, .. } = options;
+    let path =
+        options.output.as_ref().or(options.out.as_ref()).ok_or_else(|| wrong_use("no file to write"))?;
     let format = written_format(path)?;
     check_distinct(from, std::slice::from_ref(path))?;
-    let input = scene_input::read(from, reading, u64::MAX, &context.interrupt)?;
-    input.show_warnings();
+    let input = scene_input::read(from, reading, &context.interrupt)?;
+    if !quiet {
+        input.show_warnings();
+    }
     scene_input::check_spares(&input.files, std::slice::from_ref(path))?;
     let mut scene = input.scene.into_inner();
     if let Some(size) = *size {
@@ -49,7 +59,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     let written = if is_dash(path) { write(format, &scene) } else { write_beside(format, &scene, path) }?;
     scene_files::put(from, path, &written, &context.files)?;
     let report = written.report;
-    if !report.diagnostics.is_empty() {
+    if !quiet && !report.diagnostics.is_empty() {
         output::drawn(&diagnostics::draw(&report, &path.display().to_string(), ""));
     }
     Ok(Outcome::Done)

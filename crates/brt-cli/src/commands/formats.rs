@@ -13,7 +13,7 @@ pub(crate) fn run() -> Result<Outcome, Failure> {
         let extensions = format.extensions().join(", .");
         output::line(&row(&format!(".{extensions}"), abilities(format), format.name()))?;
     }
-    output::line("\nknown, but not read yet")?;
+    output::line("\nknown, but not read")?;
     for foreign in Foreign::ALL {
         output::line(&format!("  {:<21} {}", foreign.name, foreign.advice))?;
     }

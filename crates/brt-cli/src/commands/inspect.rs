@@ -21,6 +21,9 @@ pub(crate) struct Options {
     /// Print it as JSON
     #[arg(long)]
     json: bool,
+    /// Leave out warnings
+    #[arg(short, long)]
+    quiet: bool,
     /// Options for reading the scene
     #[command(flatten)]
     reading: InputOptions,
@@ -76,13 +79,15 @@ enum ProjectionJson {
 
 /// Shows what is in a scene.
 pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failure> {
-    let input = scene_input::read(&options.scene, &options.reading, u64::MAX, &context.interrupt)?;
+    let input = scene_input::read(&options.scene, &options.reading, &context.interrupt)?;
     let run = Run { cancel: Some(context.interrupt.flag()), ..Run::default() };
     let inspection = Inspection::of(&input.scene, &input.given, &input.report.diagnostics, &run)?;
     if options.json {
         output::line(&json::text(&inspection)?)?;
     } else {
-        input.show_warnings();
+        if !options.quiet {
+            input.show_warnings();
+        }
         output::line(&inspection.text())?;
     }
     Ok(Outcome::Done)
@@ -178,10 +183,11 @@ impl LightJson {
                 format!("point at {}, color {}", spaced(*position), spaced(*color))
             }
             Self::Spot { position, direction, color, outer_deg, .. } => format!(
-                "spot at {}, direction {}, color {}, up to {outer_deg}°",
+                "spot at {}, direction {}, color {}, up to {}°",
                 spaced(*position),
                 spaced(*direction),
-                spaced(*color)
+                spaced(*color),
+                short(*outer_deg)
             ),
             Self::Directional { direction, color } => {
                 format!("directional along {}, color {}", spaced(*direction), spaced(*color))
@@ -206,10 +212,9 @@ impl CameraJson {
     fn text(&self) -> String {
         let projection = match self.projection {
             ProjectionJson::Perspective { fov_deg } => {
-                // Angles are computed from slopes: 30 comes back as 29.999999999999996.
-                format!("perspective, {}°", (fov_deg * 1e9).round() / 1e9)
+                format!("perspective, {}°", short(fov_deg))
             }
-            ProjectionJson::Orthographic { extent } => format!("orthographic, extent {extent}"),
+            ProjectionJson::Orthographic { extent } => format!("orthographic, extent {}", short(extent)),
         };
         format!("at {} towards {}, {projection}", spaced(self.eye), spaced(self.look_at))
     }
@@ -231,5 +236,11 @@ fn triple(v: Vec3) -> [f64; 3] {
 }
 
 fn spaced([x, y, z]: [f64; 3]) -> String {
+    let [x, y, z] = [x, y, z].map(short);
     format!("({x}, {y}, {z})")
+}
+
+/// As many digits as people read; slopes and angles come back as 29.999999999999996.
+fn short(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
 }

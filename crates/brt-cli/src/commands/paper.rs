@@ -13,8 +13,6 @@ use crate::scene_input::{self, InputOptions};
 
 /// Sizes beyond this cost hours.
 const GREATEST_SIZE: u32 = 16_384;
-/// Pixels that a scene file may ask for; its size is not used here.
-const MAX_PIXELS: u64 = 1 << 32;
 
 /// Options of `brt paper`.
 #[derive(Debug, Args)]
@@ -23,10 +21,12 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "DIR", default_value = "paper-out")]
     output: PathBuf,
     /// Widths and heights of the pictures that are timed [default: 128,256,512,1024,2048; 128,256,512 with --quick]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(16..=i64::from(GREATEST_SIZE)))]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_delimiter = ',',
+          value_parser = clap::value_parser!(u32).range(16..=i64::from(GREATEST_SIZE)))]
     sizes: Option<Vec<u32>>,
     /// Repetitions of each time, of which the median counts [default: 3; 1 with --quick]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=100))]
     repeat: Option<u32>,
     /// The same experiments on your own scene instead of the paper's
     #[arg(long, value_name = "FILE")]
@@ -68,7 +68,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
 }
 
 fn own_scene(options: &Options, path: &Path, context: &Context) -> Result<(String, brt::Scene), Failure> {
-    let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
+    let input = scene_input::read(path, &options.reading, &context.interrupt)?;
     input.show_warnings();
     let name =
         path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());

@@ -13,9 +13,6 @@ use crate::exit::{Failure, Outcome, wrong_use};
 use crate::output;
 use crate::scene_input::{self, InputOptions, check_distinct};
 
-/// Pixels that a scene file may ask for; only its proportions are used here.
-const MAX_PIXELS: u64 = 1 << 32;
-
 /// Options of `brt peers`.
 #[derive(Debug, Args)]
 pub(crate) struct Options {
@@ -26,15 +23,17 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "DIR", default_value = "peers-out")]
     output: PathBuf,
     /// Longer sides of the pictures that are timed; their errors are measured at the first
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_values_t = [512, 1024, 2048],
-          value_parser = clap::value_parser!(u32).range(16..=32_768))]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "512,1024,2048",
+          allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(32..=32_768))]
     sizes: Vec<u32>,
     /// Runs of which the median counts
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "N", default_value_t = 3, allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=100))]
     repeat: u32,
     /// Stop a single run after this time
-    #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400))]
-    timeout: u64,
+    #[arg(long, value_name = "SECONDS", default_value_t = 300, allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    timeout: u32,
     /// Only one sample per pixel, no anti-aliasing
     #[arg(long)]
     plain: bool,
@@ -55,7 +54,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
         scenes: scenes(options, context)?,
         sizes: options.sizes.clone(),
         repeat: options.repeat,
-        timeout: Duration::from_secs(options.timeout),
+        timeout: Duration::from_secs(options.timeout.into()),
         plain: options.plain,
         record: options.record.clone().map(|file| Recording { file, label: options.label.clone() }),
         ours: std::env::current_exe()?,
@@ -85,7 +84,7 @@ fn scenes(options: &Options, context: &Context) -> Result<Vec<(String, Scene)>, 
             Some(named) => named.build(None)?,
             None => {
                 check_spared(options, path)?;
-                let input = scene_input::read(path, &options.reading, MAX_PIXELS, &context.interrupt)?;
+                let input = scene_input::read(path, &options.reading, &context.interrupt)?;
                 input.show_warnings();
                 input.scene.into_inner()
             }

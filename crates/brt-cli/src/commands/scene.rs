@@ -18,7 +18,7 @@ pub(crate) struct Options {
     #[arg(value_name = "NAME")]
     name: Option<String>,
     /// How large a scene is built; what it counts differs from scene to scene
-    #[arg(long, value_name = "K", requires = "name")]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, requires = "name")]
     size: Option<u32>,
     /// TOML file to write; `-` for standard output
     #[arg(short, long, value_name = "FILE", default_value = "-")]

@@ -22,8 +22,7 @@ pub(super) fn put(input: &Path, path: &Path, written: &Written, files: &FileSet)
     let contents = written.files.iter().map(|file| file.bytes.as_slice()).chain([written.text.as_bytes()]);
     for (path, content) in all.iter().zip(contents) {
         let mut file = text_file::open(path, files)?;
-        file.write_all(content)?;
-        file.commit()?;
+        file.write_all(content).and_then(|()| file.commit()).map_err(Failure::of_writing)?;
     }
     Ok(files.commit()?)
 }

@@ -21,17 +21,13 @@ pub(crate) fn open(path: &Path, files: &FileSet) -> Result<Box<dyn Sink>, Failur
 
 /// Refuses to write to a standard output that is not there.
 pub(crate) fn check_stdout() -> Result<(), Failure> {
-    if output::is_closed() {
-        return Err(Failure::CouldNot {
-            error: anyhow::anyhow!("cannot write standard output: it is closed"),
-            hint: Some("to throw it away, `> /dev/null`".to_owned()),
-        });
-    }
-    Ok(())
+    output::check_open().map_err(|error| Failure::CouldNot {
+        error: error.into(),
+        hint: Some("to throw it away, `> /dev/null`".to_owned()),
+    })
 }
 
 /// Writes all of a file and completes it.
 pub(crate) fn write(mut file: Box<dyn Sink>, text: &str) -> Result<(), Failure> {
-    file.write_all(text.as_bytes())?;
-    Ok(file.commit()?)
+    file.write_all(text.as_bytes()).and_then(|()| file.commit()).map_err(Failure::of_writing)
 }

@@ -54,6 +54,36 @@ fn errors_in_scenes_are_drawn_and_nothing_is_written() {
 }
 
 #[test]
+fn standard_input_says_what_it_was_taken_for() {
+    let bench = Bench::new();
+    let empty = bench.run_with_input("inspect -", "");
+    assert_eq!((empty.code, empty.errors.as_str()), (Some(1), "error: standard input is empty\n"));
+    let odd = bench.run_with_input("inspect -", "hello\n");
+    assert_eq!(odd.code, Some(1));
+    let hint =
+        "hint: read as TOML, since it looks like nothing else; `--input-format` names another format\n";
+    assert!(odd.errors.ends_with(hint), "{}", odd.errors);
+    for (arguments, input) in [("inspect -", "size = 3\n"), ("inspect - --input-format toml", "hello\n")] {
+        assert!(!bench.run_with_input(arguments, input).errors.contains("hint"), "{arguments}");
+    }
+}
+
+#[test]
+fn a_size_that_is_not_used_is_not_checked() {
+    let bench = Bench::new();
+    bench.write("huge.toml", &format!("size = [400000, 400000]\n{SCENE}"));
+    bench.done("render huge.toml -s 8x8 --samples 1 --no-save");
+    bench.done("inspect huge.toml");
+    let ended = bench.run("render huge.toml --no-save");
+    assert_eq!(ended.code, Some(1));
+    assert!(
+        ended.errors.contains("400000×400000") && ended.errors.contains("--max-pixels"),
+        "{}",
+        ended.errors
+    );
+}
+
+#[test]
 fn limits_are_refused_before_anything_is_rendered() {
     let bench = Bench::new();
     for (arguments, part) in [

@@ -81,7 +81,8 @@ fn the_short_help_leaves_out_what_hardly_anybody_needs() {
 fn of_the_others() {
     mentions("compare", &["<REF>", "<TEST>", "--json", "--max-error", "--heat-map", "--max-pixels"]);
     mentions("inspect", &["<SCENE>", "--json", "--max-memory", "--allow-expansion"]);
-    mentions("convert", &["<IN>", "<OUT>", "-s, --size"]);
+    mentions("convert", &["<IN>", "[OUT]", "-o, --output", "-s, --size", "-q, --quiet"]);
+    assert!(Bench::new().done("peers --help").text().contains("[default: 512,1024,2048]"));
     let convert = Bench::new().done("convert --help");
     assert!([".pov", ".dat"].iter().all(|name| convert.text().contains(name)), "{}", convert.text());
     mentions(

@@ -51,7 +51,7 @@ fn strict_makes_warnings_an_error() {
     assert!(bench.done("render odd.obj --no-save -s 8x8").errors.contains("`curv` ignored"));
     let ended = bench.run("render odd.obj --no-save -s 8x8 --strict");
     assert_eq!(ended.code, Some(1));
-    assert!(ended.errors.contains("odd.obj") && ended.errors.contains("--strict"), "{}", ended.errors);
+    assert!(ended.errors.contains("odd.obj: 1 warning; `--strict` allows none"), "{}", ended.errors);
     bench.done("render part.off --no-save -s 8x8 --strict");
 }
 
@@ -74,7 +74,7 @@ fn formats_that_are_not_read_get_advice() {
     fs::write(bench.path("a.step"), "ISO-10303-21;").unwrap();
     let ended = bench.run("render a.step");
     assert_eq!(ended.code, Some(1));
-    assert!(ended.errors.contains("STEP is not read yet: export STL, 3MF or GLB"), "{}", ended.errors);
+    assert!(ended.errors.contains("STEP files are not read; export STL, 3MF or GLB"), "{}", ended.errors);
     assert!(bench.done("formats").text().contains(".gltf, .glb"));
 }
 
@@ -85,6 +85,24 @@ fn a_named_format_is_believed() {
     bench.done("render part.dat --input-format off --no-save -s 8x8");
     assert_eq!(bench.run("render part.dat --no-save").code, Some(1));
     assert_eq!(bench.run("render part.off --input-format step").code, Some(2));
+}
+
+#[test]
+fn warnings_are_left_out_where_nobody_wants_them() {
+    let bench = bench();
+    bench.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncurv 1 2\n");
+    assert!(bench.done("inspect odd.obj").errors.contains("`curv` ignored"));
+    assert_eq!(bench.done("inspect odd.obj -q").errors, "");
+    assert_eq!(bench.done("convert odd.obj -q -o odd.toml").errors, "");
+    bench.done("render odd.toml --no-save -s 8x8 --samples 1");
+}
+
+#[test]
+fn people_read_six_digits_and_programs_all() {
+    let bench = bench();
+    bench.write("third.off", &OFF.replace("2 0 0", "0.12345678 0 0"));
+    assert!(bench.done("inspect third.off").text().contains("(0.123457, 1, 1)"));
+    assert_eq!(bench.done("inspect third.off --json").json()["bounds"][1][0], 0.12345678);
 }
 
 #[test]

@@ -14,6 +14,14 @@ fn the_papers_page_of_an_own_scene_is_written_with_its_tables() {
 }
 
 #[test]
+fn powers_of_a_single_size_are_not_told() {
+    let bench = Bench::new();
+    bench.done("paper --quick --sizes 16 --repeat 1 --scene ball.toml -o out");
+    let page = String::from_utf8(bench.read("out/paper.html")).unwrap();
+    assert!(!page.contains("to the power –"), "{page}");
+}
+
+#[test]
 fn sizes_and_repetitions_are_checked() {
     let bench = Bench::new();
     for wrong in ["--sizes 4", "--sizes 128,x", "--repeat 0", "--scene none.toml"] {

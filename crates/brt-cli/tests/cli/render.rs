@@ -181,7 +181,7 @@ fn no_save_writes_nothing_but_stats() {
 fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
     let bench = Bench::new();
     let full = bench.done(&format!("render ball.toml {QUICK} --method full --verify"));
-    assert_eq!(full.text(), "3,072 pixels checked, greatest error 0.00 level, 0 above 0\n");
+    assert_eq!(full.text(), "3,072 pixels checked, greatest error 0.00 levels, 0 above 0\n");
     let border = bench.done(&format!("render ball.toml {QUICK} --method border --delta 128 --verify"));
     assert!(border.text().starts_with("3,072 pixels checked, greatest error "), "{}", border.text());
     let over = bench.run(&format!("render ball.toml {QUICK} --method border --delta 128 --max-error 0"));
@@ -191,7 +191,7 @@ fn verification_is_a_line_to_cite_and_a_limit_if_one_is_given() {
     // Every 16th of 48 rows of 64 pixels.
     let rows = bench.done(&format!("render ball.toml {QUICK} --tolerance 0.25 --verify=rows"));
     assert!(rows.text().starts_with("192 pixels checked, "), "{}", rows.text());
-    assert!(rows.text().ends_with(" level, 0 above 0.25\n"), "{}", rows.text());
+    assert!(rows.text().ends_with(" levels, 0 above 0.25\n"), "{}", rows.text());
     for output in ["--no-save --linear", "-o a.exr", "--no-save"] {
         bench.done(&format!("render ball.toml -s 64x48 --samples 4 --max-error 1 {output}"));
     }

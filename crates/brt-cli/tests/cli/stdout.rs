@@ -40,7 +40,13 @@ fn a_full_disk_is_reported() {
 #[test]
 fn a_reader_that_went_away_is_no_error() {
     let bench = bench();
-    for arguments in PRINTING {
+    let scenes_and_pictures = [
+        "render ball.toml -s 16x16 -o -",
+        "render ball.toml -s 16x16 --sheet -o -",
+        "convert ball.toml -",
+        "scene balls",
+    ];
+    for arguments in PRINTING.into_iter().chain(scenes_and_pictures) {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let ended: Ended = bench.command(arguments).stdout(writer).output().unwrap().into();
@@ -49,14 +55,29 @@ fn a_reader_that_went_away_is_no_error() {
 }
 
 #[test]
+fn a_closed_standard_output_is_an_error() {
+    let bench = bench();
+    for arguments in PRINTING {
+        let ended = run_in_shell(&bench, arguments, ">&-");
+        assert_eq!(ended.code, Some(1), "brt {arguments}");
+        let message = "error: cannot write standard output: it is closed\n";
+        assert!(ended.errors.starts_with(message), "brt {arguments}: {}", ended.errors);
+        assert_eq!(run_in_shell(&bench, arguments, ">/dev/null").code, Some(0), "brt {arguments}");
+    }
+}
+
+/// The command with a redirection.
+fn run_in_shell(bench: &Bench, arguments: &str, redirection: &str) -> Ended {
+    let script = format!("exec \"$0\" {arguments} {redirection}");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script, env!("CARGO_BIN_EXE_brt")]).current_dir(bench.path(""));
+    shell.stdin(Stdio::null()).output().unwrap().into()
+}
+
+#[test]
 fn a_picture_for_a_closed_standard_output_is_refused_before_it_is_rendered() {
     let bench = Bench::new();
-    let run = |redirection: &str| -> Ended {
-        let script = format!("exec \"$0\" render ball.toml -s 16x16 -o - {redirection}");
-        let mut shell = Command::new("sh");
-        shell.args(["-c", &script, env!("CARGO_BIN_EXE_brt")]).current_dir(bench.path(""));
-        shell.stdin(Stdio::null()).output().unwrap().into()
-    };
+    let run = |redirection: &str| run_in_shell(&bench, "render ball.toml -s 16x16 -o -", redirection);
     let closed = run(">&-");
     assert_eq!(closed.code, Some(1));
     assert!(

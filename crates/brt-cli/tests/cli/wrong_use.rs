@@ -40,9 +40,10 @@ fn values_out_of_range() {
         ("render ball.toml -s 0x64", "WIDTHxHEIGHT"),
         ("render ball.toml -j 0", "1..=1024"),
         ("render ball.toml -j 100000", "1..=1024"),
-        ("render ball.toml --samples 2", "possible values: 1, 4, 16, 64, 256"),
+        ("render ball.toml --samples 2", "expected 1, 4, 16, 64 or 256\n"),
         ("render ball.toml --bits 9", "possible values: 8, 16"),
-        ("render ball.toml --delta -1", "error"),
+        ("render ball.toml --input-format step", "expected one of toml, nff, stl,"),
+        ("render ball.toml --delta -1", "at least 0"),
         ("render ball.toml --delta nan", "at least 0"),
         ("render ball.toml --block 129", "1..=128"),
         ("render ball.toml --layers depth,colour", "surface"),
@@ -50,6 +51,29 @@ fn values_out_of_range() {
         ("render ball.toml --verify=some", "rows, all"),
         ("render ball.toml --pixel 3", "X,Y"),
         ("compare a.png b.png --max-error x", "at least 0"),
+    ]);
+}
+
+#[test]
+fn negative_values_get_the_words_of_their_option() {
+    refuses(&[
+        ("render ball.toml --pixel -1,2", "expected X,Y"),
+        ("render ball.toml -s -40x30", "expected WIDTHxHEIGHT"),
+        ("convert ball.toml a.toml -s -40x30", "expected WIDTHxHEIGHT"),
+        ("render ball.toml --threads -1", "1..=1024"),
+        ("render ball.toml --samples -1", "expected 1, 4, 16, 64 or 256"),
+        ("render ball.toml --bits -1", "possible values: 8, 16"),
+        ("render ball.toml --block -1", "1..=128"),
+        ("render ball.toml --max-depth -1", "0..=1000"),
+        ("render ball.toml --max-memory -1", "expected a size"),
+        ("render ball.toml --max-pixels -1", "expected a whole number, at least 0"),
+        ("compare a.png b.png --max-pixels -1", "expected a whole number, at least 0"),
+        ("scene watch --size -1", "-1 is not in"),
+        ("paper --sizes -1", "16..=16384"),
+        ("paper --repeat -1", "1..=100"),
+        ("peers --sizes -1,32", "32..=32768"),
+        ("peers --repeat -1", "1..=100"),
+        ("peers --timeout -1", "1..=86400"),
     ]);
 }
 
@@ -73,7 +97,10 @@ fn outputs_that_make_no_sense() {
         ("scene balls --size 30", "expected a number from 1 to 6"),
         ("scene seed-a --size 3", "no size to choose"),
         ("compare a.png b.png --heat-map h.gif", "h.gif"),
-        ("compare a.png b.png --heat-map a.png", "overwrite"),
+        ("compare a.png b.png --heat-map a.png", "a.png would overwrite a picture that is compared"),
+        ("convert ball.toml a.toml -o b.toml", "cannot be used with"),
+        ("convert ball.toml", "required"),
+        ("render ball.toml -s 1x2 --sheet", "a sheet needs at least 2×2 pixels"),
     ]);
 }
 
@@ -94,6 +121,7 @@ fn habits_of_others_get_a_hint() {
         ("render ball.toml -res 800 600", "hint: the size is `--size WIDTHxHEIGHT` here"),
         ("render ball.toml -aasamples 12", "hint: samples per pixel are `--samples 1|4|16|64` here"),
         ("render ball.toml +A0.3", "hint: `--samples 1|4|16|64` smooths edges here"),
+        ("render ball.toml --verify rows", "hint: did you mean `--verify=rows`?"),
         ("part.stl", "hint: did you mean `brt render part.stl`?"),
         ("ball.toml -o a.png", "hint: did you mean `brt render ball.toml`?"),
         ("", "Usage: brt <COMMAND>"),

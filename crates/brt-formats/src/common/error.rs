@@ -29,12 +29,23 @@ pub enum LoadError {
         path: PathBuf,
     },
     /// The file's format is known, but not read.
-    #[error("{}: {} is not read yet: {}", path.display(), foreign.name, foreign.advice)]
+    #[error("{}: {foreign}", path.display())]
     Foreign {
         /// The file.
         path: PathBuf,
         /// Its format.
         foreign: Foreign,
+    },
+    /// The file's name is that of a scene, but its content is surely of another format.
+    #[error("{}: the name says {}, the content {}; `--input-format {}` believes the content",
+            path.display(), named.name(), content.name(), content.extensions()[0])]
+    Misnamed {
+        /// The file.
+        path: PathBuf,
+        /// The format of its name.
+        named: Format,
+        /// The format of its content.
+        content: Format,
     },
     /// The file's format is written for other programs, but not read.
     #[error("{}: a {} can be written, but not read", path.display(), format.name())]
@@ -154,7 +165,7 @@ pub enum LimitExceeded {
         times: u64,
     },
     /// A file, or a part of one, is larger than an eighth of [`Limits::memory`](crate::Limits::memory).
-    #[error("{} are too many for one file, which may have {}, an eighth of the memory that is allowed: `--max-memory SIZE` \
+    #[error("{} is too much for one file, which may have {}, an eighth of the memory that is allowed: `--max-memory SIZE` \
              allows more", size(*bytes), size(*allowed))]
     File {
         /// Bytes of the file, as far as it was looked at.

@@ -15,7 +15,7 @@ pub use foreign::Foreign;
 pub use format::Format;
 pub use limits::Limits;
 pub(crate) use problems::Problems;
-pub(crate) use words::{Word, Words, excerpt};
+pub(crate) use words::{Word, Words, counted_points, excerpt};
 
 /// The comment of PLY files that hold a mesh of ours: its triangles as they are, colours as light, t downwards.
 pub(crate) const EXACT_PLY: &str = "brt: a mesh as it is, colors are linear, t points down";

@@ -15,6 +15,11 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
+/// So many points, for a message.
+pub(crate) fn counted_points(count: usize) -> String {
+    if count == 1 { "1 point".to_owned() } else { format!("{count} points") }
+}
+
 /// A word and its place.
 #[derive(Clone, Debug)]
 pub(crate) struct Word<'b> {
@@ -124,7 +129,7 @@ impl<'b> Words<'b> {
                 Ok(n)
             }
             Some(_) => {
-                let message = format!("`{}` is no finite number", word.excerpt());
+                let message = format!("`{}` is not a finite number", word.excerpt());
                 Err(Diagnostic::error(message, Some(word.span)).expecting(what))
             }
             None => {

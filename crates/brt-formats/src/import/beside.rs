@@ -55,7 +55,7 @@ impl<'b> Beside<'b> {
     }
 
     fn find(&self, name: &str) -> Result<PathBuf, String> {
-        const OUTSIDE: &str = "it is outside of the scene's folder, which `--allow-outside` allows";
+        const OUTSIDE: &str = "it is outside the scene's folder; `--allow-outside` permits it";
         let outside = self.budget.limits().files_outside;
         let Some(folder) = &self.folder else {
             return Err("the scene has no folder".to_owned());
@@ -79,7 +79,7 @@ impl<'b> Beside<'b> {
 
 fn words_of(error: &io::Error) -> String {
     match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::NotFound => "no such file".to_owned(),
         _ => error.to_string(),
     }
 }
@@ -103,7 +103,7 @@ mod tests {
         for name in ["../secret", "/etc/hostname", "a/../../secret"] {
             assert!(beside.read(name).unwrap_err().contains("--allow-outside"), "{name}");
         }
-        assert_eq!(beside.read("none").unwrap_err(), "there is no such file");
+        assert_eq!(beside.read("none").unwrap_err(), "no such file");
         assert_eq!(beside.read(".").unwrap_err(), "it is not a file");
         let limits = Limits { files_outside: true, ..Limits::default() };
         assert_eq!(Beside::new(Some(&folder), &Budget::new(&limits)).read("../secret").unwrap(), b"s");

@@ -162,7 +162,7 @@ impl<'b> Draft<'b> {
     ) -> Result<Vec<Part>, Halt> {
         self.use_up(geometry.positions.len(), geometry.triangles.len())?;
         if geometry.normals.iter().any(|n| n.try_normalize().is_none()) {
-            self.notices.note("mesh with normals that have no direction: its own are computed", part(name));
+            self.notices.note("normals of length 0 or not finite: computed instead", part(name));
             geometry.normals.clear();
         }
         if !self.bare && self.scene.materials[material.0 as usize].texture.is_none() {

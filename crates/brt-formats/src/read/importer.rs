@@ -1,7 +1,7 @@
 //! What there is to know of a format that is read.
 
 use brt_scene::framing::Up;
-use brt_scene::{CheckedScene, Report};
+use brt_scene::{CheckedScene, Diagnostic, Report};
 
 use super::{IMPORTERS, Likeness};
 use crate::common::{Budget, Format, ParseError};
@@ -48,6 +48,15 @@ impl Format {
     }
 }
 
+/// Refuses a file that holds nothing.
+pub(crate) fn check_content(bytes: &[u8]) -> Result<(), ParseError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if !bytes.trim_ascii().is_empty() {
+        return Ok(());
+    }
+    Err(ParseError::Malformed(Report { diagnostics: vec![Diagnostic::error("the file is empty", None)] }))
+}
+
 /// Reads a file of a format.
 pub(crate) fn read<'b>(
     format: Format,
@@ -55,6 +64,7 @@ pub(crate) fn read<'b>(
     beside: &mut Beside<'b>,
     budget: &'b Budget<'b>,
 ) -> Result<Imported, ParseError> {
+    check_content(bytes)?;
     match Importer::of(format).map(|importer| &importer.reader) {
         None => Err(ParseError::OnlyWritten(format)),
         Some(FileReader::Scene { up, read }) => {

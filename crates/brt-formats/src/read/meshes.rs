@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use super::{FileReader, Importer, format_of};
+use super::{FileReader, Importer, check_content, format_of};
 use crate::common::Budget;
 use crate::import::{Beside, Draft, Meshes};
 
 /// Reads the meshes of a file: one, or several where parts of it are smooth and others flat. The error fits behind the
 /// file's name.
 pub(super) fn read<'b>(name: &str, bytes: &'b [u8], budget: &'b Budget<'b>) -> Result<Meshes, String> {
+    check_content(bytes).map_err(|error| error.to_string())?;
     let format = format_of(Path::new(name), bytes).ok_or("its format is not known")?;
     let Some(Importer { reader: FileReader::Model { read, is_for_scenes: true, .. }, .. }) =
         Importer::of(format)

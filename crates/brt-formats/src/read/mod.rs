@@ -13,8 +13,8 @@ mod threemf;
 mod toml;
 mod vrml;
 
-pub(crate) use importer::{FileReader, Importer, read};
-pub(crate) use sniff::{Likeness, format_of};
+pub(crate) use importer::{FileReader, Importer, check_content, read};
+pub(crate) use sniff::{Likeness, format_of, sure_format};
 
 /// Every importer.
 const IMPORTERS: [&Importer; 9] = [

@@ -32,18 +32,29 @@ fn likest(bytes: &[u8]) -> Option<(Format, Likeness)> {
     all.filter(|(_, likeness)| *likeness > Likeness::None).max_by_key(|(_, likeness)| *likeness)
 }
 
+/// The format that content is surely of.
+pub(crate) fn sure_format(bytes: &[u8]) -> Option<Format> {
+    likest(bytes).filter(|(_, likeness)| *likeness == Likeness::Mark).map(|(format, _)| format)
+}
+
 /// A model's name is often wrong (`.obj` for anything), so what is sure by content comes first; text that could be
 /// anything is what its name says.
 pub(crate) fn format_of(path: &Path, bytes: &[u8]) -> Option<Format> {
-    let Some(named) = Format::from_path(path) else {
-        return if Foreign::of(path, bytes).is_some() { None } else { Format::from_content(bytes) };
-    };
-    let is_model = Importer::of(named).is_some_and(|i| matches!(i.reader, FileReader::Model { .. }));
-    match likest(bytes) {
+    match Format::from_path(path) {
         // Scenes are read as what they are called: their errors are better than a guess.
-        Some((other, Likeness::Mark)) if is_model => Some(other),
-        _ => Some(named),
+        Some(named) if is_scene(named) => Some(named),
+        Some(named) => sure_format(bytes).or(Some(named)),
+        // Many formats are zip files: there the name is surer.
+        None if Foreign::of(path, bytes).is_some() => {
+            sure_format(bytes).filter(|format| *format != Format::ThreeMf)
+        }
+        None => Format::from_content(bytes),
     }
+}
+
+/// Are files of a format whole scenes?
+fn is_scene(format: Format) -> bool {
+    Importer::of(format).is_some_and(|importer| matches!(importer.reader, FileReader::Scene { .. }))
 }
 
 /// What comes after white space.
@@ -101,5 +112,13 @@ mod tests {
         assert_eq!(of("a.toml", b"ply\nformat"), Some(Format::Toml));
         assert_eq!(of("a", b"glTF"), Some(Format::Gltf));
         assert_eq!(of("a.step", b"solid a"), None);
+        assert_eq!(of("a.fcstd", b"PK\x03\x04"), None);
+        let mut binary = vec![0; 134];
+        binary[80] = 1;
+        for name in ["a.obj", "a.ply", "a.step", "a.pov", "a"] {
+            assert_eq!(of(name, &binary), Some(Format::Stl), "{name}");
+        }
+        assert_eq!(of("a.toml", &binary), Some(Format::Toml));
+        assert_eq!(of("a.obj", &binary[1..]), Some(Format::Obj));
     }
 }

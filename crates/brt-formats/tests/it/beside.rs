@@ -67,20 +67,20 @@ fn faults_of_textures_are_said() {
     let fault = |texture: &str| read(&folder, &material(texture)).unwrap_err();
     const FILE: &str = "expected a PNG or JPEG file in the scene's folder";
     for (texture, message) in [
-        ("file = \"none.png\"", format!("7: `none.png` cannot be read: there is no such file, {FILE}")),
+        ("file = \"none.png\"", format!("7: `none.png` cannot be read: no such file, {FILE}")),
         ("file = \"corner.off\"", format!("7: `corner.off` cannot be read: it is neither PNG nor JPEG, {FILE}")),
         ("wrap = \"clamp\"", "7: the texture has no `file`, expected `file = ...`".into()),
         (
             "file = \"four.png\", wrap = \"clam\"",
-            "7: there is no \"clam\", did you mean `clamp`?, expected one of \"repeat\", \"mirror\", \"clamp\"".into(),
+            "7: unknown wrap \"clam\", did you mean `clamp`?, expected one of \"repeat\", \"mirror\", \"clamp\"".into(),
         ),
         (
             "file = \"four.png\", wrap = [\"clamp\"]",
-            "7: found a list of 1, expected a word, or one for u and one for v".into(),
+            "7: found a list of 1 value, expected a word, or one for u and one for v".into(),
         ),
         (
             "file = \"four.png\", transform = [[1, 0], [0, 1]]",
-            "7: found a list of 2, expected a row of three numbers".into(),
+            "7: found a list of 2 values, expected a row of three numbers".into(),
         ),
         ("file = \"four.png\", alpha = \"blend\", mask = 0.5", "7: the texture has both `alpha` and `mask`, expected one of them".into()),
         ("file = \"four.png\", mask = 2", "7: the mask's cutoff is 2, expected a number from 0 to 1".into()),
@@ -105,7 +105,10 @@ fn wrong_counts_of_coordinates_are_said() {
         with("[[0, 0], [1, 1]]").unwrap_err(),
         ["12: 2 texture coordinates for 3 positions, expected a pair per position, or none"]
     );
-    assert_eq!(with("[[0, 0, 0]]").unwrap_err(), ["12: found a list of 3, expected two numbers, [u, v]"]);
+    assert_eq!(
+        with("[[0, 0, 0]]").unwrap_err(),
+        ["12: found a list of 3 values, expected two numbers, [u, v]"]
+    );
     assert!(with("[[0, 0], [1, 1], [0.5, -2]]").is_ok());
 }
 
@@ -143,13 +146,13 @@ fn faults_of_imports_are_said() {
     fs::write(folder.join("bad.off"), CORNER.replace("3 0 1 2", "3 0 1 9")).unwrap();
     for (file, why) in [
         ("scene.toml", "it is a TOML scene"),
-        ("none.ply", "there is no such file"),
+        ("none.ply", "no such file"),
         ("four.png", "its format is not known"),
     ] {
         let found = read(&folder, &imported(file)).unwrap_err();
         assert_eq!(found, [format!("10: `{file}` cannot be read: {why}, {FILE}")]);
     }
-    assert!(read(&folder, &imported("bad.off")).unwrap_err()[0].contains("no point 9"));
+    assert!(read(&folder, &imported("bad.off")).unwrap_err()[0].contains("uses point 9"));
     assert!(read(&folder, &imported("../corner.off")).unwrap_err()[0].contains("--allow-outside"));
     let both = imported("corner.off") + "positions = []\n";
     assert!(read(&folder, &both).unwrap_err()[0].contains("a field of its own beside `import`"));

@@ -35,7 +35,7 @@ fn each_fault_has_its_error() {
     assert!(matches!(load(folder.path(), &all), Err(LoadError::Io { .. })));
     assert!(matches!(load(&folder.path().join("none"), &all), Err(LoadError::Io { .. })));
     assert!(matches!(error("a.txt", b"hello", &all), LoadError::UnknownFormat { .. }));
-    assert!(matches!(error("a", b"", &all), LoadError::UnknownFormat { .. }));
+    assert!(matches!(error("a", b"", &all), LoadError::Malformed { .. }));
     // JSON of others is no glTF.
     assert!(matches!(error("a.cjson", b"{\"chemicalJson\": 1}", &all), LoadError::UnknownFormat { .. }));
     assert!(matches!(error("a.toml", b"\xff", &all), LoadError::NotUtf8 { position: 0, .. }));
@@ -53,7 +53,7 @@ fn each_fault_has_its_error() {
 fn a_device_without_an_end_is_not_read_for_ever() {
     let limits = Limits { memory: 1 << 23, ..Limits::default() };
     assert!(matches!(load(Path::new("/dev/zero"), &limits), Err(LoadError::LimitExceeded { .. })));
-    assert!(matches!(load(Path::new("/dev/null"), &limits), Err(LoadError::UnknownFormat { .. })));
+    assert!(matches!(load(Path::new("/dev/null"), &limits), Err(LoadError::Malformed { .. })));
 }
 
 #[test]

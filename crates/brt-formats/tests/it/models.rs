@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use crate::common::errors;
+
 use brt_formats::{Format, Imported, Limits, ParseError, import, load};
 use brt_geometry::{Vec3, vec3};
 use brt_scene::framing::Up;
@@ -76,8 +78,13 @@ fn stl_as_text_and_binary() {
 #[test]
 fn broken_stl_is_refused_with_a_reason() {
     assert!(refused(Format::Stl, &binary_stl(b"x")[..120]).contains("ends after 0 of 1 triangles"));
+    let short = "60 bytes are too few for a binary STL (at least 84), and it does not begin with `solid`";
+    assert!(refused(Format::Stl, &[1; 60]).contains(short));
     assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 x").contains("found `x`"));
-    assert!(refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop").contains("a facet of 1 points"));
+    assert!(
+        refused(Format::Stl, b"solid\nfacet\nvertex 1 2 3 endloop")
+            .contains("a facet needs 3 points, found 1")
+    );
     assert!(refused(Format::Stl, b"solid empty\nendsolid empty\n").contains("nothing to see"));
 }
 
@@ -86,7 +93,10 @@ fn off_with_colours_per_face() {
     let Imported { scene, .. } = read(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
     assert_is_triangle(&scene);
     assert_eq!(<[f64; 3]>::from(scene.materials[0].color), [1.0, 0.0, 0.0]);
-    assert!(refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n").contains("no point 3"));
+    assert!(
+        refused(Format::Off, b"OFF\n3 1 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 3\n")
+            .contains("uses point 3, but the file has 3 points")
+    );
     assert!(refused(Format::Off, b"OFF\n4000000000 4000000000 0\n").contains("with 4,000,000,000 points"));
 }
 
@@ -99,10 +109,37 @@ fn ply_with_colours_per_point() {
     assert_is_triangle(&scene);
     let shown = scene.objects[0].material.0 as usize;
     assert_eq!(<[f64; 3]>::from(scene.materials[shown].color), [1.0, 0.0, 0.0]);
-    assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("names point 7"));
+    assert!(refused(Format::Ply, text.replace("3 0 1 2", "3 0 1 7").as_bytes()).contains("uses point 7"));
     assert!(
         refused(Format::Ply, text.replace("vertex 3", "vertex 99999999").as_bytes()).contains("in a file of")
     );
+}
+
+#[test]
+fn broken_ply_is_refused_in_plain_words() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n";
+    let ascii = |from: &str, to: &str| errors(Format::Ply, &text.replace(from, to)).join("|");
+    for (from, to, expected) in [
+        ("ply\n", "pie\n", "1: found `pie`, expected `ply`"),
+        ("vertex 3", "vertex", "3: found `element vertex`, expected `element NAME COUNT`"),
+        ("float x", "real x", "4: found `property real x`, expected `property TYPE NAME` or"),
+        ("end_header\n", "end\n", "9: found `end`, expected `format`, `comment`,"),
+        ("format ascii 1.0\n", "", "-: the header has no line such as `format ascii 1.0`"),
+        ("2 0 0", "2 zero 0", "11: found `2 zero 0`, expected a vertex, `x y z`"),
+        ("2 0 0", "2 0", "11: found `2 0`, expected a vertex, `x y z`"),
+        ("3 0 1 2\n3 0 1 2\n", "3 0 1 2\n", "-: the file ends after 1 of 2 faces"),
+        ("3 0 1 2\n3", "9 0 1 2\n3", "13: found `9 0 1 2`, expected a face, `COUNT vertex_indices...`"),
+    ] {
+        let found = ascii(from, to);
+        assert!(found.starts_with(expected), "{found}");
+    }
+    let (header, _) = text.split_once("0 0 0").unwrap();
+    let header = header.replace("ascii", "binary_little_endian");
+    let binary = [header.as_bytes(), &[0; 36]].concat();
+    assert_eq!(refused(Format::Ply, &binary), "the file ends after 0 of 2 faces");
+    assert!(refused(Format::Ply, b"ply\nformat ascii 1.0\n").starts_with("the file ends within its header"));
+    assert_eq!(refused(Format::Ply, b"ply\n\xff\xfe"), "the header is not text");
 }
 
 #[test]
@@ -131,13 +168,22 @@ fn obj_says_what_it_misses_and_where() {
     assert_eq!(
         messages,
         [
-            "materials `no.mtl` are not read: the scene has no folder",
+            "cannot read materials `no.mtl`: the scene has no folder",
             "material `x` is not known: the default is used",
             "2 × `curv` ignored",
         ]
     );
-    assert!(refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n").contains("there is no point 2, 1 come before"));
-    assert!(refused(Format::Obj, b"v 0 0 0\nf 0 1 1\n").contains("there is no point 0"));
+    assert!(
+        refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n")
+            .contains("point 2 does not exist: only 1 is defined before it")
+    );
+    assert!(
+        refused(Format::Obj, b"v 1 2\nv 3 4 5\n").contains("found 2 numbers, expected a point, `v x y z`")
+    );
+    assert!(refused(Format::Obj, b"v 0 0 0\nf 1 1\n").contains("a face needs at least 3 points, found 2"));
+    assert!(
+        refused(Format::Obj, b"v 0 0 0\nf 0 1 1\n").contains("point 0 does not exist: indices count from 1")
+    );
 }
 
 /// A triangle below a node that turns it by 90° around x and shifts it, then is mirrored.
@@ -197,8 +243,10 @@ fn gltf_that_lies_is_refused() {
     for (from, to, why) in [
         (r#""count": 3"#, r#""count": 300000"#, "reaches beyond"),
         (r#""byteLength": 36}]"#, r#""byteLength": 36, "byteOffset": 9}]"#, "reaches beyond"),
-        (r#""mesh": 0"#, r#""mesh": 7"#, "Index out of bounds"),
+        (r#""mesh": 0"#, r#""mesh": 7"#, "`nodes[1].mesh` refers to 7, which does not exist"),
         (r#""children": [1]"#, r#""children": [0]"#, "contains itself"),
+        (r#""version": "2.0""#, r#""version": "1.0""#, "glTF 1.0, expected 2.0"),
+        (r#""version": "2.0""#, r#""version": "2.1", "minVersion": "2.1""#, "glTF 2.1, expected 2.0"),
         (r#""byteLength": 36, "uri""#, r#""byteLength": 99, "uri""#, "instead of 99"),
     ] {
         let text = gltf("");
@@ -206,6 +254,33 @@ fn gltf_that_lies_is_refused() {
         let error = refused(Format::Gltf, text.replace(from, to).as_bytes());
         assert!(error.to_lowercase().contains(&why.to_lowercase()), "{error}");
     }
+}
+
+#[test]
+fn broken_json_is_refused_in_plain_words_at_its_place() {
+    let text = "{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [\n{\"mesh\": 0}\n]}";
+    let with = |from: &str, to: &str| errors(Format::Gltf, &text.replace(from, to)).join("|");
+    let mut wrong = Vec::new();
+    for (from, to, expected) in [
+        ("\"mesh\": 0", "\"mesh\": -1", "3: found the number -1, expected a whole number, at least 0"),
+        ("\"mesh\": 0", "\"name\": [1]", "3: found a list, expected a text in quotes"),
+        ("\"mesh\": 0", "\"scale\": [1]", "3: found a list of length 1, expected a list of length 3"),
+        ("\"mesh\": 0", "mesh: 0", "3: found `mesh`, expected a name in quotes"),
+        ("\"mesh\": 0", "\"mesh\" 0", "3: found `0`, expected `:`"),
+        ("[\n{", "7[\n{", "2: found the number 7, expected a list"),
+        ("]}", "", "3: the text ends too early"),
+        ("]}", "]}}", "4: something follows the end of the JSON"),
+        ("\"version\": \"2.0\"", "", "1: the property `version` is missing"),
+        ("\"2.0\"", "2", "1: found the number 2, expected a text in quotes"),
+        ("\"nodes\": [\n{\"mesh\": 0}\n]", "\"nodes\": {}", "2: found an object, expected a list"),
+    ] {
+        let found = with(from, to);
+        if found != expected {
+            wrong.push((to, found));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(refused(Format::Gltf, &[0; 99]).contains("does not begin with `glTF`"));
 }
 
 /// A zip file without compression.
@@ -256,7 +331,7 @@ fn threemf_colours_of_corners_are_kept() {
 #[test]
 fn threemf_that_lies_is_refused() {
     for (from, to, why) in [
-        (r#"v3="2""#, r#"v3="9""#, "names point 9"),
+        (r#"v3="2""#, r#"v3="9""#, "uses point 9"),
         (r#"component objectid="1""#, r#"component objectid="2""#, "contains itself"),
         (r#"item objectid="2""#, r#"item objectid="3""#, "no object 3"),
         (r#"p1="0""#, r#"p1="4""#, "no member 4"),
@@ -268,7 +343,7 @@ fn threemf_that_lies_is_refused() {
         assert!(error.contains(why), "{error}");
     }
     assert!(refused(Format::ThreeMf, &zipped("a.txt", b"")).contains("no model"));
-    assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("zip"));
+    assert!(refused(Format::ThreeMf, b"PK\x03\x04").contains("not a complete zip file: is it truncated?"));
     let limits = Limits { memory: 16_000, ..Limits::default() };
     let bomb = zipped("a.model", &[b' '; 1_000_000]);
     assert!(bomb.len() < 2000);
@@ -316,7 +391,7 @@ fn vrml_shapes_uses_and_viewpoints() {
 
 #[test]
 fn vrml_that_lies_is_refused() {
-    assert!(refused(Format::Vrml, VRML.replace("0, 1, 2", "0, 1, 5").as_bytes()).contains("names point 5"));
+    assert!(refused(Format::Vrml, VRML.replace("0, 1, 2", "0, 1, 5").as_bytes()).contains("uses point 5"));
     assert!(refused(Format::Vrml, b"#VRML V1.0 ascii\nSeparator { }").contains("VRML 1.0"));
     let deep = format!("#VRML V2.0 utf8\n{}", "Group { children ".repeat(100_000));
     assert!(refused(Format::Vrml, deep.as_bytes()).contains("nest deeper"));
@@ -331,17 +406,40 @@ fn vrml_that_lies_is_refused() {
 }
 
 #[test]
+fn a_file_without_content_is_empty_in_every_format() {
+    for format in Format::ALL {
+        for bytes in [&b""[..], b" \r\n\t", b"\xef\xbb\xbf\n"] {
+            assert_eq!(refused(format, bytes), "the file is empty", "{format:?}");
+        }
+    }
+}
+
+#[test]
 fn content_tells_formats_of_the_wrong_name() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("really-a-ply.stl");
     std::fs::write(&path, VRML).unwrap();
     assert!(load(&path, &Limits::default()).is_ok());
-    for (name, word) in
-        [("a.step", "STEP is not read yet: export STL, 3MF or GLB"), ("a.blend", "export GLB")]
-    {
+    for (name, word) in [
+        ("a.step", "STEP files are not read; export STL, 3MF or GLB"),
+        ("a.blend", "export GLB"),
+        ("a.png", "a.png: a picture, not a scene"),
+        ("a.pdb", "a.pdb: molecule files are not read; save VRML from PyMOL (`save x.wrl`)"),
+    ] {
         let path = folder.path().join(name);
         std::fs::write(&path, "x").unwrap();
         let error = load(Path::new(&path), &Limits::default()).unwrap_err().to_string();
         assert!(error.contains(word), "{error}");
     }
+    for name in ["stl.obj", "stl.step"] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, binary_stl(b"x")).unwrap();
+        assert!(load(&path, &Limits::default()).is_ok(), "{name}");
+    }
+    let path = folder.path().join("stl.toml");
+    std::fs::write(&path, binary_stl(b"x")).unwrap();
+    let error = load(&path, &Limits::default()).unwrap_err().to_string();
+    assert!(error.ends_with(
+        "the name says TOML scene, the content STL mesh; `--input-format stl` believes the content"
+    ));
 }

@@ -130,9 +130,9 @@ fn errors_have_a_place() {
         errors(Format::Nff, "s 0 0 0 x\ns 0 0 0 nan\nc 1 2\ns 0 0 0 1e400\np -1\np 1.5\ns 0 0"),
         [
             "1: found `x`, expected a sphere, `s x y z radius`",
-            "2: `nan` is no finite number, expected a sphere, `s x y z radius`",
+            "2: `nan` is not a finite number, expected a sphere, `s x y z radius`",
             "4: found `s`, expected a cone, `c x y z radius` and `x y z radius` again",
-            "4: `1e400` is no finite number, expected a sphere, `s x y z radius`",
+            "4: `1e400` is not a finite number, expected a sphere, `s x y z radius`",
             "5: -1 is out of range, expected the number of points, `p count`",
             "6: 1.5 is out of range, expected the number of points, `p count`",
             "7: the file ends too early, expected a sphere, `s x y z radius`",

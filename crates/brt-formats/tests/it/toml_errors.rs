@@ -77,21 +77,21 @@ fn fields_of_another_type_are_unknown() {
 #[test]
 fn wrong_types_and_lengths_are_said() {
     let with_radius = |radius: &str| sphere(&format!("center = [0, 0, 0]\nradius = {radius}\n"));
-    assert_eq!(with_radius("\"1\""), ["11: found a text, expected a number"]);
+    assert_eq!(with_radius("\"1\""), ["11: found text, expected a number"]);
     assert_eq!(with_radius("[1]"), ["11: found a list, expected a number"]);
     assert_eq!(with_radius("{ a = 1 }"), ["11: found a table, expected a number"]);
     assert_eq!(with_radius("2020-01-01"), ["11: found a date or time, expected a number"]);
     assert_eq!(with_radius("true"), ["11: found true or false, expected a number"]);
     let with_center = |center: &str| sphere(&format!("radius = 1\ncenter = {center}\n"));
-    assert_eq!(with_center("[1, 2]"), ["11: found a list of 2, expected three numbers, [x, y, z]"]);
-    assert_eq!(with_center("[1, 2,\n\"x\"]"), ["12: found a text, expected a number"]);
+    assert_eq!(with_center("[1, 2]"), ["11: found a list of 2 values, expected three numbers, [x, y, z]"]);
+    assert_eq!(with_center("[1, 2,\n\"x\"]"), ["12: found text, expected a number"]);
 }
 
 #[test]
 fn numbers_must_be_finite() {
     let with_radius = |radius: &str| sphere(&format!("center = [0, 0, 0]\nradius = {radius}\n"));
-    assert_eq!(with_radius("nan"), ["11: nan is no finite number, expected a finite number"]);
-    assert_eq!(with_radius("-inf"), ["11: -inf is no finite number, expected a finite number"]);
+    assert_eq!(with_radius("nan"), ["11: nan is not a finite number, expected a finite number"]);
+    assert_eq!(with_radius("-inf"), ["11: -inf is not a finite number, expected a finite number"]);
     assert_eq!(with_radius("1e400"), ["11: this number is too large, expected a finite number"]);
     assert_eq!(
         with_radius("0xFFFFFFFFFFFFFFFFF"),
@@ -128,7 +128,7 @@ fn unknown_words_get_a_guess() {
     assert_eq!(
         after_camera("[[light]]\ntype = \"pint\"\n"),
         [
-            "6: there is no \"pint\", did you mean `point`?, expected one of \"point\", \"spot\", \"directional\""
+            "6: unknown type \"pint\", did you mean `point`?, expected one of \"point\", \"spot\", \"directional\""
         ]
     );
     let object = "[[object]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"gren\"\n";
@@ -173,7 +173,7 @@ fn several_errors_are_said_but_not_thousands() {
 #[test]
 fn faults_of_surfaces_lights_and_meshes_are_said() {
     let found = after_camera("[materials.m]\ncolor = [1, 1, 1]\nopacity = 1.5\nemission = [1, 1]\n");
-    assert_eq!(found, ["8: found a list of 2, expected a colour of three numbers, [r, g, b]"]);
+    assert_eq!(found, ["8: found a list of 2 values, expected a colour of three numbers, [r, g, b]"]);
     let found = after_camera("[materials.m]\ncolor = [1, 1, 1]\nopacity = 1.5\n");
     assert_eq!(found, ["7: `opacity` is 1.5, expected a number from 0 to 1"]);
     let spot =

@@ -44,6 +44,11 @@ impl Findings {
         }
     }
 
+    /// Is any of these numbers known?
+    pub(crate) fn knows_any(&self, names: &[String]) -> bool {
+        names.iter().any(|name| self.number(name).is_some())
+    }
+
     /// The least and the greatest of some numbers for the page, as "a to b".
     pub(crate) fn show_range(&self, names: &[String], decimals: usize) -> String {
         let mut found: Vec<(&String, f64)> =

@@ -29,9 +29,11 @@ pub(super) fn check_mesh(mesh: &Mesh, found: Found) {
     if let Some(i) = mesh.normals.iter().position(|n| n.try_normalize().is_none()) {
         found("normals", fault(format!("normal {i} has no direction"), "three finite numbers, not all 0"));
     }
-    let count = mesh.positions.len() as u64;
-    if let Some(t) = mesh.triangles.iter().find(|t| t.iter().any(|&i| u64::from(i) >= count)) {
-        let message = format!("triangle {t:?} names a point beyond the last, {count} points are given");
+    let count = mesh.positions.len();
+    let beyond = |t: &[u32; 3]| t.iter().copied().find(|&i| u64::from(i) >= count as u64);
+    if let Some((t, i)) = mesh.triangles.iter().find_map(|t| Some((t, beyond(t)?))) {
+        let points = if count == 1 { "point" } else { "points" };
+        let message = format!("triangle {t:?} uses point {i}, but the mesh has {count} {points}");
         found("triangles", fault(message, "indices from 0 below the number of positions"));
     }
 }

@@ -11,11 +11,12 @@ mod targets;
 
 use std::time::Instant;
 
+use brt::image::EncodeError;
 use brt::{CheckedScene, RenderError, RenderFilesError, Rendered, Run, Scene, Settings, render_into};
 
 use crate::commands::text_file;
 use crate::context::Context;
-use crate::exit::{Failure, Outcome};
+use crate::exit::{Failure, Outcome, wrong_use};
 use crate::progress::{Bar, NoBar};
 use crate::{output, scene_input};
 
@@ -29,7 +30,7 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     let targets = Targets::new(options)?;
     let method = method::chosen(options)?;
 
-    let input = scene_input::read(&options.scene, &options.reading, options.max_pixels, &context.interrupt)?;
+    let input = scene_input::read(&options.scene, &options.reading, &context.interrupt)?;
     scene_input::check_spares(&input.files, &targets.files())?;
     if !options.quiet {
         input.show_warnings();
@@ -40,6 +41,9 @@ pub(crate) fn run(options: &Options, context: &Context) -> Result<Outcome, Failu
     targets::check_size(size, options.max_pixels)?;
     let settings = settings(options, method, size);
     if options.view.sheet {
+        if size.contains(&1) {
+            return Err(wrong_use("a sheet needs at least 2×2 pixels"));
+        }
         sheet::render(options, &targets, context, scene, &input.given, &settings)?;
         return Ok(Outcome::Done);
     }
@@ -101,6 +105,7 @@ fn render(
 fn failure(error: RenderFilesError) -> Failure {
     match error {
         RenderFilesError::Render(RenderError::Cancelled) => Failure::Interrupted,
+        RenderFilesError::Encode(EncodeError::Io(error)) => Failure::of_writing(error),
         error => error.into(),
     }
 }

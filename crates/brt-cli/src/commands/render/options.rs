@@ -27,10 +27,11 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
     /// Picture size in pixels [default: the scene's, else 1024x1024]
-    #[arg(short, long, value_name = "WxH", value_parser = values::size)]
+    #[arg(short, long, value_name = "WxH", allow_hyphen_values = true, value_parser = values::size)]
     pub(crate) size: Option<[u32; 2]>,
     /// Number of threads [default: one for each processor]
-    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(short = 'j', long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
     /// Vector instructions to use, where the machine has them; the picture is the same
     #[arg(long, value_name = "LEVEL", value_parser = values::simd_level(), default_value_t, hide_short_help = true)]
@@ -43,21 +44,23 @@ pub(crate) struct Options {
     #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     pub(crate) tolerance: Option<f64>,
     /// Samples per pixel
-    #[arg(long, value_name = "N", value_parser = values::samples(), default_value = "16")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = values::samples(),
+          default_value = "16")]
     pub(crate) samples: Samples,
     /// How samples become pixels
     #[arg(long, value_enum, default_value_t)]
     pub(crate) filter: FilterName,
     /// Greatest number of bounces after the camera ray [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(brt::Scene::GREATEST_MAX_DEPTH)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(..=i64::from(brt::Scene::GREATEST_MAX_DEPTH)))]
     pub(crate) max_depth: Option<u32>,
     /// Bits of a channel, for .png and .ppm [default: 8]
-    #[arg(long, value_name = "N", value_parser = values::bits())]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = values::bits())]
     pub(crate) bits: Option<BitDepth>,
-    /// How much time is given to make a .png small; the picture is the same [default: fast]
+    /// Effort spent on making a .png small; the picture is the same [default: fast]
     #[arg(long, value_enum, value_name = "HOW")]
     pub(crate) compression: Option<CompressionName>,
-    /// Layers to write too, with commas between: beside the picture as OUT.LAYER.png, or inside an .exr
+    /// Further layers to write, separated by commas: beside the picture as OUT.LAYER.png, or inside an .exr
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = values::layer())]
     pub(crate) layers: Vec<PictureLayer>,
     /// Write counts and times as JSON; `-` for standard output
@@ -72,7 +75,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "LEVELS", allow_negative_numbers = true, value_parser = values::not_negative)]
     pub(crate) max_error: Option<f64>,
     /// Write no picture; say what is seen in this pixel
-    #[arg(long, value_name = "X,Y", value_parser = values::pixel,
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = values::pixel,
           conflicts_with_all = ["out", "output", "layers", "bits", "compression", "stats", "no_save"])]
     pub(crate) pixel: Option<[u32; 2]>,
     /// Store linear light instead of sRGB
@@ -81,10 +84,10 @@ pub(crate) struct Options {
     /// Write no picture: for timing
     #[arg(long, conflicts_with_all = ["out", "output", "layers", "bits", "compression"])]
     pub(crate) no_save: bool,
-    /// Say nothing but errors, and what is verified where it is above its limit
+    /// Print only errors, and failed verifications
     #[arg(short, long)]
     pub(crate) quiet: bool,
-    /// Print the summary even where nobody looks, and more of it
+    /// Print a longer summary, even if standard error is not a terminal
     #[arg(short, long, action = ArgAction::SetTrue, conflicts_with = "quiet")]
     pub(crate) verbose: bool,
     /// Options of the methods of 1987
@@ -97,7 +100,8 @@ pub(crate) struct Options {
     #[command(flatten)]
     pub(crate) reading: InputOptions,
     /// Refuse pictures of more pixels
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS, help_heading = "Limits")]
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT_PICTURE_PIXELS, help_heading = "Limits",
+          allow_negative_numbers = true, value_parser = values::count)]
     pub(crate) max_pixels: u64,
 }
 

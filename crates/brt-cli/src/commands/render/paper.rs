@@ -22,12 +22,13 @@ pub(crate) struct PaperOptions {
     #[arg(long, value_enum)]
     pub(crate) history: Option<HistoryName>,
     /// Side of the first blocks in samples, for `border` and `pixel-selected` [default: 16], for `pencil` [default: 32]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=128))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=128))]
     pub(crate) block: Option<u32>,
     /// Iterative central point selection, for `pixel-selected`
     #[arg(long)]
     pub(crate) icps: bool,
-    /// What saves tests of primitives
+    /// Index that saves tests of rays with primitives
     #[arg(long, value_enum, default_value_t)]
     pub(crate) accelerator: AcceleratorName,
 }
@@ -47,10 +48,10 @@ pub(crate) enum JudgeName {
 /// Treatments of blocks with two surfaces by name.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(crate) enum RegionsName {
-    /// The one that can be interpolated is
+    /// Interpolate each region that can be
     #[default]
     Separate,
-    /// Both are interpolated or none
+    /// Interpolate both regions or none
     Together,
 }
 
@@ -60,7 +61,7 @@ pub(crate) enum HistoryName {
     /// Same surfaces, same lights seen
     #[default]
     Lit,
-    /// And lights hidden by the same surfaces
+    /// Also which surfaces hide lights
     Shadower,
 }
 

@@ -7,8 +7,8 @@ use std::fmt;
 
 use brt::image::{PixelRows, straight};
 use brt::{
-    CheckedScene, KeptRows, Layer, LayerRows, RenderError, Renderer, Rows, Run, SampleState, Settings,
-    Transfer, Window,
+    Certificate, CheckedScene, KeptRows, Layer, LayerRows, RenderError, Renderer, Rows, Run, SampleState,
+    Settings, Transfer, Window,
 };
 
 use super::options::Options;
@@ -27,7 +27,7 @@ pub(super) fn show(
 ) -> Result<Outcome, Failure> {
     let [width, height] = settings.size;
     if x >= width || y >= height {
-        return Err(wrong_use(format!("pixel {x},{y} is outside of the picture of {width}×{height}")));
+        return Err(wrong_use(format!("pixel {x},{y} is outside the picture of {width}×{height}")));
     }
     settings.layers = Layer::ALL.to_vec();
     let transfer = if options.linear { Transfer::Linear } else { Transfer::Srgb };
@@ -64,7 +64,7 @@ fn describe(
             LayerRows::Normal(v) => format!("normal   {}", triple(v[0])),
             LayerRows::History(v) => format!("history  {:016x}", v[0].0),
             LayerRows::State(v) => format!("state    {}", state(v[0])),
-            LayerRows::Certificates(v) => format!("failed   {}", v[0]?.name()),
+            LayerRows::Certificates(v) => format!("unproven {}", unproven(v[0]?)),
         })
     };
     let mut lines: Vec<String> = found.layers.iter().filter_map(layer).collect();
@@ -96,6 +96,15 @@ fn surface(id: u32, scene: &CheckedScene, object: Option<usize>) -> String {
     let name = object.name.as_ref().map(|name| format!(" \"{name}\"")).unwrap_or_default();
     let material = scene.materials.get(object.material.0 as usize).map_or("", |m| m.name.as_str());
     format!("{id}, of object {index}: {}{name}, material \"{material}\"", object.shape.kind())
+}
+
+/// As the layer `certificates` calls it.
+fn unproven(certificate: Certificate) -> &'static str {
+    match certificate {
+        Certificate::Color => "linear colour",
+        Certificate::Size => "too few samples",
+        others => others.name(),
+    }
 }
 
 fn state(state: SampleState) -> &'static str {

@@ -54,7 +54,7 @@ pub(super) fn render(
         let cells: Vec<_> = cells.collect::<Result<_, Failure>>()?;
         render_pair(&cells, options, context, &mut *file, transfer).map_err(|error| failure(error.into()))?;
     }
-    file.finish()?;
+    file.finish().map_err(|error| failure(error.into()))?;
     Ok(context.files.commit()?)
 }
 

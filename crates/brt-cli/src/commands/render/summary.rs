@@ -45,13 +45,17 @@ pub(super) fn show(
 fn verification(found: &Verification) -> String {
     let Verification { comparison, limit, above, worst: [x, y] } = found;
     let greatest = (comparison.max_error * 100.0).ceil() / 100.0;
-    let levels = if greatest > 1.0 { "levels" } else { "level" };
+    let levels = levels(greatest);
     let place = if *above > 0 { format!(", worst at {x},{y}") } else { String::new() };
     format!(
         "{} pixels checked, greatest error {greatest:.2} {levels}, {} above {limit}{place}",
         grouped(comparison.pixels),
         grouped(*above)
     )
+}
+
+fn levels(count: f64) -> &'static str {
+    if count == 1.0 { "level" } else { "levels" }
 }
 
 /// `a.png 4096×4096 ×16 · 1.8 s · 1.4 % traced · border Δ 16`
@@ -79,11 +83,12 @@ fn method(method: &Method) -> String {
             Judge::Variance(delta) => format!("border Δ {} of variance", delta.0),
             Judge::Difference(delta) => format!("border Δ {} of difference", delta.0),
         },
-        Method::Pencil(settings) => format!("pencil, filled pixels within {} level(s)", settings.tolerance),
+        Method::Pencil(settings) => {
+            format!("pencil, filled pixels within {} {}", settings.tolerance, levels(settings.tolerance))
+        }
         Method::Certified(settings) if settings.tolerance == 0.0 => "every pixel as traced".to_owned(),
         Method::Certified(settings) => {
-            let levels = if settings.tolerance == 1.0 { "level" } else { "levels" };
-            format!("every pixel within {} {levels}", settings.tolerance)
+            format!("every pixel within {} {}", settings.tolerance, levels(settings.tolerance))
         }
         others => others.name().to_owned(),
     }
@@ -156,7 +161,8 @@ mod tests {
             let comparison = Comparison { pixels, max_error, ..Comparison::default() };
             verification(&Verification { comparison, limit, above, worst: [3, 4] })
         };
-        assert_eq!(cited(4096, 0.901, 1.0, 0), "4,096 pixels checked, greatest error 0.91 level, 0 above 1");
+        assert_eq!(cited(4096, 0.901, 1.0, 0), "4,096 pixels checked, greatest error 0.91 levels, 0 above 1");
+        assert_eq!(cited(9, 0.999, 1.0, 0), "9 pixels checked, greatest error 1.00 level, 0 above 1");
         assert_eq!(
             cited(10, 37.5, 0.25, 2),
             "10 pixels checked, greatest error 37.50 levels, 2 above 0.25, worst at 3,4"

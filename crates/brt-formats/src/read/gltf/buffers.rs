@@ -52,7 +52,7 @@ pub(super) fn inline(uri: &str) -> Result<Vec<u8>, String> {
     let config =
         GeneralPurposeConfig::new().with_decode_padding_mode(base64::engine::DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, config);
-    engine.decode(data.trim()).map_err(|error| error.to_string())
+    engine.decode(data.trim()).map_err(|_| "its base64 is broken".to_owned())
 }
 
 /// Percent signs of a URI.

@@ -7,7 +7,7 @@ use gltf::{Primitive, Semantic};
 
 use super::accessor::{indices, rows};
 use super::buffers::Buffers;
-use crate::common::Cost;
+use crate::common::{Cost, counted_points};
 use crate::import::{Draft, Geometry, Stop, fault};
 
 /// The triangles of a primitive; `None` for what is none, which is said.
@@ -59,7 +59,7 @@ pub(super) fn geometry(
         }
     };
     if let Some(i) = corners.iter().find(|&&i| i as usize >= count) {
-        return Err(fault(format!("{place} names point {i}, but there are {count}"), None));
+        return Err(fault(format!("{place} uses point {i}, but it has {}", counted_points(count)), None));
     }
     geometry.triangles = triangles(primitive.mode(), &corners);
     Ok(Some(geometry))

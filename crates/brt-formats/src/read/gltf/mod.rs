@@ -9,22 +9,23 @@
 mod accessor;
 mod buffers;
 mod container;
+mod json;
 mod light;
 mod material;
 mod mesh;
 mod nodes;
 mod texture;
+mod words;
 
 use std::collections::BTreeMap;
 
 use brt_scene::framing::Up;
 use gltf::Document;
-use gltf::json::Root;
 
 use super::sniff::text;
 use super::{FileReader, Importer, Likeness};
 use crate::common::{Budget, Cost, Format, Halt};
-use crate::import::{Beside, Draft, Stop, fault};
+use crate::import::{Beside, Draft, Stop};
 use texture::Textures;
 
 /// What there is to know of the format.
@@ -43,8 +44,8 @@ fn names_asset(json: &[u8]) -> bool {
 /// Reads a file into a model.
 fn read<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
     let (json, binary) = container::parts(bytes)?;
-    spend_json(json, draft.budget)?;
-    let document = parsed(json)?;
+    spend_json(json.text, draft.budget)?;
+    let document = json::document(json)?;
     note_ignored(&document, draft);
     leave_pictures(&document, beside);
     let buffers = buffers::read(&document, binary, beside)?;
@@ -66,42 +67,6 @@ fn leave_pictures(document: &Document, beside: &mut Beside) {
     files.filter(|uri| !uri.starts_with("data:")).for_each(|uri| beside.leave(&buffers::decoded(uri)));
 }
 
-fn parsed(json: &[u8]) -> Result<Document, Stop> {
-    let root: Root =
-        gltf::json::deserialize::from_slice(json).map_err(|error| fault(error.to_string(), None))?;
-    check_positions(&root)?;
-    let error = match Document::from_json(root) {
-        Ok(document) => return Ok(document),
-        Err(error) => error,
-    };
-    Err(match error {
-        gltf::Error::Validation(errors) => {
-            let more =
-                if errors.len() > 1 { format!(" (and {} more)", errors.len() - 1) } else { String::new() };
-            match errors.first() {
-                Some((path, error)) => fault(format!("`{path}`: {error}{more}"), None),
-                None => fault("not valid", None),
-            }
-        }
-        error => fault(error.to_string(), None),
-    })
-}
-
-/// The crate's validation looks positions up before it knows that they exist.
-fn check_positions(root: &Root) -> Result<(), Stop> {
-    let primitives =
-        root.meshes.iter().enumerate().flat_map(|(i, mesh)| mesh.primitives.iter().map(move |p| (i, p)));
-    for (i, primitive) in primitives {
-        if let Some(accessor) = primitive.attributes.values().find(|a| a.value() >= root.accessors.len()) {
-            return Err(fault(
-                format!("mesh {i} names accessor {}, which does not exist", accessor.value()),
-                None,
-            ));
-        }
-    }
-    Ok(())
-}
-
 fn note_ignored(document: &Document, draft: &mut Draft) {
     /// What is read here or changes nothing that is seen.
     const KNOWN: [&str; 7] = [
@@ -117,7 +82,7 @@ fn note_ignored(document: &Document, draft: &mut Draft) {
     draft.notices.note_many("animations ignored", animations, "animation 0".to_owned());
     let skins = document.skins().count() as u64;
     draft.notices.note_many(
-        "skins ignored: the mesh is as it was before it was bent",
+        "skins ignored: the mesh is shown in its unposed shape",
         skins,
         "skin 0".to_owned(),
     );

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use brt_scene::MaterialId;
+use brt_geometry::Vec3;
+use brt_scene::{Diagnostic, MaterialId};
 
 use super::face::{Chunk, Corner, Lists};
 use super::material::Materials;
@@ -41,10 +42,11 @@ struct Reader<'b> {
 impl<'b> Reader<'b> {
     fn line(&mut self, word: &Word, beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
         match word.bytes {
-            b"v" => self.point(draft)?,
+            b"v" => self.point(word, draft)?,
             b"vn" => {
                 draft.budget.spend(Cost::Number, 3)?;
-                self.lists.normals.push(self.words.vector("a normal, `vn x y z`")?);
+                let normal = self.vector(word, "a normal, `vn x y z`")?;
+                self.lists.normals.push(normal);
             }
             b"vt" => {
                 draft.budget.spend(Cost::Number, 2)?;
@@ -70,10 +72,9 @@ impl<'b> Reader<'b> {
             b"mtllib" => {
                 let name = self.text();
                 if let Err(why) = self.materials.read(&name, beside, draft) {
-                    draft.notices.note(
-                        &format!("materials `{}` are not read: {why}", short(&name)),
-                        word.span.clone(),
-                    );
+                    draft
+                        .notices
+                        .note(&format!("cannot read materials `{}`: {why}", short(&name)), word.span.clone());
                 }
             }
             b"l" | b"p" => draft.notices.note("lines and points ignored", word.span.clone()),
@@ -88,9 +89,10 @@ impl<'b> Reader<'b> {
     }
 
     /// A point, and its colour where three more numbers follow.
-    fn point(&mut self, draft: &mut Draft) -> Result<(), Stop> {
+    fn point(&mut self, word: &Word, draft: &mut Draft) -> Result<(), Stop> {
         draft.budget.spend(Cost::Number, 3)?;
-        self.lists.positions.push(self.words.vector("a point, `v x y z`")?);
+        let position = self.vector(word, "a point, `v x y z`")?;
+        self.lists.positions.push(position);
         let more: Vec<f64> =
             std::iter::from_fn(|| self.words.next_on_line()).take(4).map_while(|w| w.finite()).collect();
         if let &[r, g, b] = &more[..] {
@@ -100,6 +102,22 @@ impl<'b> Reader<'b> {
             self.lists.colors.push(srgb([r, g, b]));
         }
         Ok(())
+    }
+
+    /// Three numbers that stand on one line.
+    fn vector(&mut self, word: &Word, expected: &str) -> Result<Vec3, Stop> {
+        let mut numbers = [0.0; 3];
+        for (count, number) in numbers.iter_mut().enumerate() {
+            if !self.words.line_goes_on() {
+                let found = if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") };
+                let span = word.span.start..self.words.position();
+                return Err(Diagnostic::error(format!("found {found}"), Some(span))
+                    .expecting(expected)
+                    .into());
+            }
+            *number = self.words.number(expected)?;
+        }
+        Ok(numbers.into())
     }
 
     /// The third number is for pictures with depth. What is missing is 0.
@@ -119,7 +137,7 @@ impl<'b> Reader<'b> {
             corners.push(self.corner(&text, draft)?);
         }
         if corners.len() < 3 {
-            let message = format!("a face of {} points", corners.len());
+            let message = format!("a face needs at least 3 points, found {}", corners.len());
             return Err(fault(message, Some(word.span.clone())));
         }
         draft.expect(0, corners.len() - 2)?;
@@ -148,20 +166,24 @@ impl<'b> Reader<'b> {
         let lists = &self.lists;
         let position = index(parts.next(), lists.positions.len(), "point", word)?;
         // Some programs number what they never write.
-        let mut optional = |count, what| match index(parts.next(), count, what, word) {
-            Err(Stop::Fault(fault)) if count == 0 && fault.message.starts_with("there is no") => {
-                draft
-                    .notices
-                    .note(&format!("corners name a {what}, but the file has none before"), word.span.clone());
-                Ok(None)
+        let mut optional = |count, what| {
+            let part = parts.next();
+            if count > 0 || part.is_none_or(|number| number.parse::<i64>().is_err()) {
+                return index(part, count, what, word);
             }
-            other => other,
+            draft
+                .notices
+                .note(&format!("corners name a {what}, but the file has none before"), word.span.clone());
+            Ok(None)
         };
         let texcoord = optional(lists.texcoords.len(), "texture coordinate")?;
         let normal = optional(lists.normals.len(), "normal")?;
         match (position, parts.next()) {
             (Some(point), None) => Ok(Corner { point, texcoord, normal }),
-            _ => Err(corner_fault(format!("`{}` is no corner of a face", word.excerpt()), word.span.clone())),
+            _ => Err(corner_fault(
+                format!("`{}` is not a corner of a face", word.excerpt()),
+                word.span.clone(),
+            )),
         }
     }
 
@@ -187,18 +209,27 @@ impl<'b> Reader<'b> {
 fn index(text: Option<&str>, count: usize, what: &str, word: &Word) -> Result<Option<u32>, Stop> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
     let Ok(number) = text.parse::<i64>() else {
-        return Err(corner_fault(format!("`{}` is no corner of a face", word.excerpt()), word.span.clone()));
+        return Err(corner_fault(
+            format!("`{}` is not a corner of a face", word.excerpt()),
+            word.span.clone(),
+        ));
     };
     let count = count as i64;
     let found = if number < 0 { count + number } else { number - 1 };
     if (0..count).contains(&found) {
         return Ok(Some(found as u32));
     }
-    Err(corner_fault(format!("there is no {what} {number}, {count} come before"), word.span.clone()))
+    let why = match (number, count) {
+        (0, _) => "indices count from 1".to_owned(),
+        (_, 0) => "none is defined before it".to_owned(),
+        (_, 1) => "only 1 is defined before it".to_owned(),
+        _ => format!("only {count} are defined before it"),
+    };
+    Err(corner_fault(format!("{what} {number} does not exist: {why}"), word.span.clone()))
 }
 
 fn corner_fault(message: String, span: Range<usize>) -> Stop {
-    let error = brt_scene::Diagnostic::error(message, Some(span));
+    let error = Diagnostic::error(message, Some(span));
     Stop::Fault(error.expecting("`point/texture/normal`, counted from 1"))
 }
 

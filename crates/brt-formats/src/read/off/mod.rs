@@ -10,7 +10,7 @@ use brt_scene::{Material, MaterialId};
 
 use super::sniff::text;
 use super::{FileReader, Importer, Likeness};
-use crate::common::{Format, Word, Words};
+use crate::common::{Format, Word, Words, counted_points};
 use crate::import::{Beside, CREASE_DEG, Crease, Draft, Geometry, Stop, fan_or_cut, fault, srgb};
 
 /// What the first word says about the points.
@@ -58,7 +58,7 @@ fn read<'b>(bytes: &'b [u8], _: &mut Beside<'b>, draft: &mut Draft<'b>) -> Resul
 
 fn read_kind(words: &mut Words) -> Result<Kind, Stop> {
     let Some(first) = words.peek() else {
-        return Err(fault("the file is empty", None));
+        return Err(fault("the file holds nothing but comments", None));
     };
     let name = String::from_utf8_lossy(first.bytes).to_ascii_uppercase();
     match name.as_str() {
@@ -88,7 +88,8 @@ fn read_faces(words: &mut Words, count: u32, positions: &[Vec3], draft: &mut Dra
         for _ in 0..n {
             let i = words.whole("the index of a point")?;
             if i as usize >= positions.len() {
-                let message = format!("there is no point {i}, only {}", positions.len());
+                let message =
+                    format!("a face uses point {i}, but the file has {}", counted_points(positions.len()));
                 return Err(fault(message, start));
             }
             corners.push(i);

@@ -5,22 +5,23 @@
 //!
 //! Files that `write` makes hold a mesh of ours bit by bit: their comment says so, and nothing is changed.
 
+mod body;
 mod element;
+mod header;
 
 use std::borrow::Cow;
-use std::io::{BufRead, BufReader, Cursor};
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::Rgb;
 use brt_scene::framing::Up;
 use brt_scene::{Material, Texture};
-use ply_rs_bw::parser::{ParseError as PlyError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header};
 
 use super::sniff::text;
 use super::{FileReader, Importer, Likeness};
-use crate::common::{EXACT_PLY, Format, Watched, excerpt};
+use crate::common::{EXACT_PLY, Format, counted_points, excerpt};
 use crate::import::{Beside, CREASE_DEG, Crease, Draft, Geometry, Pictures, Stop, fan_or_cut, fault};
+use body::Body;
 use element::{Face, Ignored, Vertex};
 
 /// What there is to know of the format.
@@ -34,13 +35,7 @@ pub(super) const IMPORTER: Importer = Importer {
 
 /// Reads a file into a model.
 fn read<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> Result<(), Stop> {
-    // Bytes of the file itself: nothing is unpacked, but reading them may be cancelled.
-    let mut watched = Watched::new(Cursor::new(bytes), draft.budget, "the file", bytes.len() as u64);
-    let read = read_elements(BufReader::new(&mut watched), bytes.len(), draft);
-    if let Some(halt) = watched.halt {
-        return Err(halt.into());
-    }
-    let (header, vertices, faces) = read?;
+    let (header, vertices, faces) = read_elements(bytes, draft)?;
     if faces.is_empty() && !vertices.is_empty() {
         return Err(fault("points without faces are not shown", None));
     }
@@ -58,36 +53,22 @@ fn read<'b>(bytes: &'b [u8], beside: &mut Beside<'b>, draft: &mut Draft<'b>) -> 
     Ok(draft.add_geometry(geometry, crease.as_ref(), material, None)?)
 }
 
-fn read_elements(
-    bytes: impl BufRead,
-    length: usize,
-    draft: &mut Draft,
-) -> Result<(Header, Vec<Vertex>, Vec<Face>), Stop> {
-    let mut reader = Reader::new(bytes);
-    let header = Parser::<Ignored>::new().read_header(&mut reader).map_err(|error| broken(&error))?;
-    check_counts(&header, length, draft)?;
+fn read_elements(bytes: &[u8], draft: &mut Draft) -> Result<(Header, Vec<Vertex>, Vec<Face>), Stop> {
+    let (header, start) = header::read(bytes)?;
+    check_counts(&header, bytes.len(), draft)?;
+    let mut body = Body::new(bytes, start, header.encoding);
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (name, element) in &header.elements {
         match name.as_str() {
-            "vertex" => {
-                vertices = Parser::<Vertex>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(|error| broken(&error))?;
-            }
-            "face" => {
-                faces = Parser::<Face>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(|error| broken(&error))?;
-            }
+            "vertex" => vertices = body.elements::<Vertex>(element, draft.budget)?,
+            "face" => faces = body.elements::<Face>(element, draft.budget)?,
             _ => {
                 draft.notices.note_many(
                     &format!("elements `{name}` ignored"),
                     element.count as u64,
                     name.clone(),
                 );
-                Parser::<Ignored>::new()
-                    .read_payload_for_element(&mut reader, element, &header)
-                    .map_err(|error| broken(&error))?;
+                body.elements::<Ignored>(element, draft.budget)?;
             }
         }
     }
@@ -180,7 +161,10 @@ fn geometry_of(
             match usize::try_from(index).ok().and_then(|index| geometry.positions.get(index)) {
                 Some(&p) => points.push(p),
                 None => {
-                    let message = format!("face {i} names point {index}, but there are {}", vertices.len());
+                    let message = format!(
+                        "face {i} uses point {index}, but the file has {}",
+                        counted_points(vertices.len())
+                    );
                     return Err(fault(message, None));
                 }
             }
@@ -191,10 +175,4 @@ fn geometry_of(
         geometry.triangles.extend(cut.iter().map(|t| t.map(|k| face.indices[k as usize] as u32)));
     }
     Ok(geometry)
-}
-
-fn broken(error: &PlyError) -> Stop {
-    // The crate shows whole lines of the file; the first line of its message is enough.
-    let text = error.to_string();
-    fault(text.lines().next().unwrap_or_default().chars().take(200).collect::<String>(), None)
 }

@@ -27,7 +27,7 @@ fn read_solid(words: &mut Words, draft: &mut Draft) -> Result<(), Stop> {
             b"vertex" => corners.push(solid.weld.point(words.vector("a point, `vertex x y z`")?)),
             b"endloop" => {
                 let &[a, b, c] = &corners[..] else {
-                    let message = format!("a facet of {} points", corners.len());
+                    let message = format!("a facet needs 3 points, found {}", corners.len());
                     return Err(fault(message, Some(word.span)));
                 };
                 draft.expect(0, 1)?;

@@ -20,7 +20,10 @@ fn count(bytes: &[u8]) -> Option<u64> {
 
 pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Stop> {
     let Some(count) = count(bytes) else {
-        let message = format!("{} bytes are too few for an STL file: text begins with `solid`", bytes.len());
+        let found =
+            if bytes.len() == 1 { "1 byte is".to_owned() } else { format!("{} bytes are", bytes.len()) };
+        let message =
+            format!("{found} too few for a binary STL (at least {HEAD}), and it does not begin with `solid`");
         return Err(fault(message, None));
     };
     let body = &bytes[HEAD..];

@@ -18,7 +18,11 @@ use binary::is_binary;
 /// What there is to know of the format.
 pub(super) const IMPORTER: Importer = Importer {
     format: Format::Stl,
-    sniff: |bytes| Likeness::Start.only_if(text(bytes).starts_with(b"solid") || is_binary(bytes)),
+    sniff: |bytes| {
+        // No text has this size: a count of letters is that of more than half a billion triangles.
+        let binary = Likeness::Mark.only_if(is_binary(bytes));
+        binary.max(Likeness::Start.only_if(text(bytes).starts_with(b"solid")))
+    },
     reader: FileReader::Model { up: |_| Up::PlusZ, read, is_for_scenes: true },
 };
 

@@ -7,7 +7,7 @@ use brt_image::Rgb;
 use brt_scene::{Material, MaterialId};
 
 use super::xml::{Component, Model, Object, Property};
-use crate::common::Cost;
+use crate::common::{Cost, counted_points};
 use crate::import::{Affine, CREASE_DEG, Crease, Draft, Geometry, Graph, Instances, Stop, fault};
 
 /// Builds what the file asks for, or everything where it asks for nothing.
@@ -73,7 +73,10 @@ impl Builder<'_, '_, '_> {
         for (i, triangle) in object.triangles.iter().enumerate() {
             if let Some(v) = triangle.iter().find(|&&v| v as usize >= count) {
                 return Err(fault(
-                    format!("triangle {i} of object {id} names point {v}, but there are {count}"),
+                    format!(
+                        "triangle {i} of object {id} uses point {v}, but it has {}",
+                        counted_points(count)
+                    ),
                     None,
                 ));
             }

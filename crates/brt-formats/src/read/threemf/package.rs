@@ -3,6 +3,7 @@
 use std::io::{BufRead, BufReader, Cursor, Read};
 
 use zip::ZipArchive;
+use zip::result::ZipError;
 
 use crate::common::{Budget, Watched};
 use crate::import::{Stop, fault};
@@ -13,6 +14,9 @@ pub(super) fn read_model<T>(
     budget: &Budget,
     read: impl FnOnce(&mut dyn BufRead) -> Result<T, Stop>,
 ) -> Result<T, Stop> {
+    if !bytes.starts_with(b"PK") {
+        return Err(fault("not a zip file, as a 3MF file is", None));
+    }
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
     let name = model_name(&mut archive, budget)?;
     read_part(&mut archive, &name, budget, read)
@@ -64,6 +68,9 @@ fn read_part<T>(
     }
 }
 
-fn broken(error: &zip::result::ZipError) -> Stop {
-    fault(format!("not a zip file that can be read: {error}"), None)
+fn broken(error: &ZipError) -> Stop {
+    match error {
+        ZipError::UnsupportedArchive(_) => fault(format!("not a zip file that can be read: {error}"), None),
+        _ => fault("not a complete zip file: is it truncated?", None),
+    }
 }

@@ -21,7 +21,7 @@ const KINDS: [(&str, Kind); 3] =
 /// Reads a light of the kind that the field `type` names.
 pub(super) fn read_light(value: &Value, problems: &mut Problems) -> Option<Light> {
     let mut fields = Fields::of_value(value, "the light", problems)?;
-    match fields.required("type", |v| one_of(v, &KINDS))? {
+    match fields.required("type", |v| one_of("type", v, &KINDS))? {
         Kind::Point => {
             fields.now_called("the point light");
             fields.only(&[&["type", "position", "color"]]);

@@ -44,7 +44,7 @@ pub(super) fn read_material(
     let diffuse = fields.or("diffuse", matte.diffuse, number);
     let specular = fields.or("specular", matte.specular, number);
     let exponent = fields.or("exponent", matte.exponent, number);
-    let highlight = fields.or("highlight", matte.highlight, |v| one_of(v, &HIGHLIGHTS));
+    let highlight = fields.or("highlight", matte.highlight, |v| one_of("highlight", v, &HIGHLIGHTS));
     let reflection = fields.or("reflection", matte.reflection, number);
     let transmission = fields.or("transmission", matte.transmission, number);
     let index_of_refraction = fields.or("index_of_refraction", matte.index_of_refraction, number);
@@ -83,6 +83,6 @@ fn read_checker(value: &Value, problems: &mut Problems) -> Option<Checker> {
     fields.only(&[&["color", "size", "axis"]]);
     let second = fields.required("color", color);
     let size = fields.required("size", number);
-    let axis = fields.or("axis", Axis::default(), |v| one_of(v, &AXES));
+    let axis = fields.or("axis", Axis::default(), |v| one_of("axis", v, &AXES));
     Some(Checker { color: second?, size: size?, axis: axis? })
 }

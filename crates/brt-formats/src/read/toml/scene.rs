@@ -114,7 +114,7 @@ fn read_camera(value: &Value, problems: &mut Problems) -> Option<Camera> {
     const COMMON: &[&str] = &["eye", "look_at", "up", "projection"];
 
     let mut fields = Fields::of_value(value, "the camera", problems)?;
-    let kind = fields.or("projection", Kind::Perspective, |v| one_of(v, &KINDS));
+    let kind = fields.or("projection", Kind::Perspective, |v| one_of("projection", v, &KINDS));
     let eye = fields.required("eye", vector);
     let look_at = fields.required("look_at", vector);
     let up = fields.or("up", vec3(0.0, 1.0, 0.0), vector);

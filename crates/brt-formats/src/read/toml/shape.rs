@@ -33,7 +33,7 @@ const KINDS: [(&str, Kind); 7] = [
 
 /// Reads the shape that the field `type` names; several where a file has several.
 pub(super) fn read_shapes(fields: &mut Fields, meshes: &Meshes, files: &mut Files) -> Option<Vec<Shape>> {
-    let kind = fields.required("type", |value| one_of(value, &KINDS))?;
+    let kind = fields.required("type", |value| one_of("type", value, &KINDS))?;
     let (what, known) = describe(kind);
     fields.now_called(what);
     let is_mesh = matches!(kind, Kind::Mesh);

@@ -7,7 +7,7 @@ use toml::de::DeValue;
 
 use super::fields::Fields;
 use super::files::Files;
-use super::value::{Value, error, number, numbers, one_of, text};
+use super::value::{Value, error, number, numbers, one_of, text, wrong_count};
 use crate::common::Problems;
 
 const WRAPS: [(&str, Wrap); 3] = [("repeat", Wrap::Repeat), ("mirror", Wrap::Mirror), ("clamp", Wrap::Clamp)];
@@ -22,7 +22,7 @@ pub(super) fn read_texture(value: &Value, files: &mut Files, problems: &mut Prob
     fields.only(&[&["file", "data", "name", "wrap", "filter", "transform", "alpha", "mask"]]);
     let picture = picture(&mut fields, files);
     let wrap = fields.or("wrap", [Wrap::default(); 2], wraps);
-    let filter = fields.or("filter", TextureFilter::default(), |v| one_of(v, &FILTERS));
+    let filter = fields.or("filter", TextureFilter::default(), |v| one_of("filter", v, &FILTERS));
     let transform = fields.or("transform", Texture::PLAIN, matrix);
     let alpha = alpha(&mut fields);
     Some(Texture { picture: picture?, wrap: wrap?, filter: filter?, transform: transform?, alpha: alpha? })
@@ -48,14 +48,10 @@ fn picture(fields: &mut Fields, files: &mut Files) -> Option<Arc<Texels>> {
 fn wraps(value: &Value) -> Result<[Wrap; 2], Diagnostic> {
     match value.get_ref() {
         DeValue::Array(items) => match &items[..] {
-            [u, v] => Ok([one_of(u, &WRAPS)?, one_of(v, &WRAPS)?]),
-            other => Err(error(
-                format!("found a list of {}", other.len()),
-                value,
-                "a word, or one for u and one for v",
-            )),
+            [u, v] => Ok([one_of("wrap", u, &WRAPS)?, one_of("wrap", v, &WRAPS)?]),
+            other => Err(wrong_count(other, value, "a word, or one for u and one for v")),
         },
-        _ => one_of(value, &WRAPS).map(|wrap| [wrap; 2]),
+        _ => one_of("wrap", value, &WRAPS).map(|wrap| [wrap; 2]),
     }
 }
 
@@ -65,14 +61,14 @@ fn matrix(value: &Value) -> Result<[[f64; 3]; 2], Diagnostic> {
         DeValue::Array(rows) if rows.len() == 2 => {
             Ok([numbers(&rows[0], "a row of three numbers")?, numbers(&rows[1], "a row of three numbers")?])
         }
-        DeValue::Array(rows) => Err(error(format!("found a list of {}", rows.len()), value, EXPECTED)),
+        DeValue::Array(rows) => Err(wrong_count(rows, value, EXPECTED)),
         _ => Err(super::value::mismatch(value, EXPECTED)),
     }
 }
 
 fn alpha(fields: &mut Fields) -> Option<TextureAlpha> {
     let Some(mask) = fields.value("mask") else {
-        return fields.or("alpha", TextureAlpha::default(), |v| one_of(v, &ALPHAS));
+        return fields.or("alpha", TextureAlpha::default(), |v| one_of("alpha", v, &ALPHAS));
     };
     if fields.value("alpha").is_some() {
         fields.problems.push(error("the texture has both `alpha` and `mask`", mask, "one of them"));

@@ -81,7 +81,7 @@ pub(super) fn matrix(value: &Value) -> Result<[[f64; 4]; 3], Diagnostic> {
 pub(super) fn numbers<const N: usize>(value: &Value, expected: &str) -> Result<[f64; N], Diagnostic> {
     let items = list(value, expected)?;
     if items.len() != N {
-        return Err(error(format!("found a list of {}", items.len()), value, expected));
+        return Err(wrong_count(items, value, expected));
     }
     let mut numbers = [0.0; N];
     for (slot, item) in numbers.iter_mut().zip(items) {
@@ -107,12 +107,12 @@ pub(super) fn size(value: &Value) -> Result<[u32; 2], Diagnostic> {
     const EXPECTED: &str = "width and height in pixels, [w, h]";
     match list(value, EXPECTED)? {
         [w, h] => Ok([whole(w, u32::MAX, "a number of pixels")?, whole(h, u32::MAX, "a number of pixels")?]),
-        other => Err(error(format!("found a list of {}", other.len()), value, EXPECTED)),
+        other => Err(wrong_count(other, value, EXPECTED)),
     }
 }
 
-/// One of these words.
-pub(super) fn one_of<T: Copy>(value: &Value, words: &[(&str, T)]) -> Result<T, Diagnostic> {
+/// One of these words, which say `what`.
+pub(super) fn one_of<T: Copy>(what: &str, value: &Value, words: &[(&str, T)]) -> Result<T, Diagnostic> {
     let expected = || {
         let names: Vec<_> = words.iter().map(|(word, _)| format!("\"{word}\"")).collect();
         format!("one of {}", names.join(", "))
@@ -124,7 +124,7 @@ pub(super) fn one_of<T: Copy>(value: &Value, words: &[(&str, T)]) -> Result<T, D
         Some((_, meaning)) => Ok(*meaning),
         None => {
             let guess = did_you_mean(found, words.iter().map(|(word, _)| *word));
-            Err(error(format!("there is no \"{}\"{guess}", excerpt(found)), value, &expected()))
+            Err(error(format!("unknown {what} \"{}\"{guess}", excerpt(found)), value, &expected()))
         }
     }
 }
@@ -134,10 +134,16 @@ pub(super) fn error(message: impl Into<String>, value: &Value, expected: &str) -
     Diagnostic::error(message, Some(value.span())).expecting(expected)
 }
 
+/// An error that says how many values the list has instead.
+pub(super) fn wrong_count(items: &[Value], value: &Value, expected: &str) -> Diagnostic {
+    let values = if items.len() == 1 { "value" } else { "values" };
+    error(format!("found a list of {} {values}", items.len()), value, expected)
+}
+
 /// An error that says what kind of value stands there instead.
 pub(super) fn mismatch(value: &Value, expected: &str) -> Diagnostic {
     let found = match value.get_ref() {
-        DeValue::String(_) => "a text",
+        DeValue::String(_) => "text",
         DeValue::Integer(_) | DeValue::Float(_) => "a number",
         DeValue::Boolean(_) => "true or false",
         DeValue::Datetime(_) => "a date or time",
@@ -153,7 +159,7 @@ fn finite(digits: &str, value: &Value) -> Result<f64, Diagnostic> {
         Ok(_) if digits.contains(|c: char| c.is_ascii_digit()) => {
             Err(error("this number is too large", value, "a finite number"))
         }
-        _ => Err(error(format!("{} is no finite number", excerpt(digits)), value, "a finite number")),
+        _ => Err(error(format!("{} is not a finite number", excerpt(digits)), value, "a finite number")),
     }
 }
 
@@ -171,6 +177,6 @@ fn three<T>(
 ) -> Result<[T; 3], Diagnostic> {
     match list(value, expected)? {
         [a, b, c] => Ok([read(a)?, read(b)?, read(c)?]),
-        other => Err(error(format!("found a list of {}", other.len()), value, expected)),
+        other => Err(wrong_count(other, value, expected)),
     }
 }

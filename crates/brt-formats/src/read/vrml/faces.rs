@@ -5,6 +5,7 @@ use brt_image::Rgb;
 use brt_scene::MaterialId;
 
 use super::syntax::Node;
+use crate::common::counted_points;
 use crate::import::{Affine, CREASE_DEG, Crease, Draft, Geometry, Stop, fan_or_cut, fault, srgb};
 
 /// Adds the faces.
@@ -83,8 +84,8 @@ impl Faces<'_> {
         let mut points = Vec::new();
         for &index in corners {
             let Some(&p) = self.points.get(index as usize) else {
-                let message =
-                    format!("face {} names point {index}, but there are {}", self.face, self.points.len());
+                let count = counted_points(self.points.len());
+                let message = format!("face {} uses point {index}, but the list has {count}", self.face);
                 return Err(fault(message, Some(self.node.span.clone())));
             };
             points.push(p);

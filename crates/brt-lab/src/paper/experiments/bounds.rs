@@ -160,16 +160,20 @@ pub(super) fn certificates(
     }
     let names: Vec<String> =
         subjects.with_blocks().map(|s| format!("certified-traced-exponent/{}", s.name)).collect();
+    let power = findings.knows_any(&names).then(|| {
+        let power = findings.show_range(&names, 2);
+        format!("The number of pixels that certified traces grows as N to the power {power}: what")
+    });
     Ok(Figure {
         id: "certificates",
         heading: "Beyond the paper: what is proven, and what is left to trace".to_owned(),
         paper: "The number of traced pixels grows with the length of borders, in proportion to N.",
         parts,
         caption: format!(
-            "The number of pixels that certified traces grows as N to the power {}: what is not proven lies along borders, \
+            "{} is not proven lies along borders, \
              in a collar of blocks of 8 pixels that is wide in small pictures. Above: how often each certificate was tried \
              at N = {last}; what a block inherits is not tried again.",
-            findings.show_range(&names, 2)
+            power.unwrap_or_else(|| "What".to_owned())
         ),
         table: "certified-growth",
     })

@@ -64,19 +64,25 @@ pub(super) fn fig1(lab: &Lab, subjects: &Subjects, findings: &mut Findings) -> R
             .map(|s| format!("time-exponent/{method}/{s}/{accelerator}"))
             .collect::<Vec<_>>()
     };
+    let plain = [names("full", "none"), names("border", "none")];
+    let caption = if findings.knows_any(&plain[0]) {
+        format!(
+            "Exponents fitted over all sizes shown. Without acceleration RT grows as N to the power {}, BRT to the \
+             power {}; with the hierarchy {} and {}.",
+            findings.show_range(&plain[0], 2),
+            findings.show_range(&plain[1], 2),
+            findings.show_range(&names("full", "bvh"), 2),
+            findings.show_range(&names("border", "bvh"), 2),
+        )
+    } else {
+        "Too few sizes for exponents.".to_owned()
+    };
     Ok(Figure {
         id: "fig1",
         heading: "Fig. 1: relative CPU time (Δ = 16)".to_owned(),
         paper: "The time of standard ray tracing (RT) grows as N², that of border ray tracing (BRT) as N.",
         parts: drawn(&charts),
-        caption: format!(
-            "Exponents fitted over all sizes shown. Without acceleration RT grows as N to the power {}, BRT to the \
-             power {}; with the hierarchy {} and {}.",
-            findings.show_range(&names("full", "none"), 2),
-            findings.show_range(&names("border", "none"), 2),
-            findings.show_range(&names("full", "bvh"), 2),
-            findings.show_range(&names("border", "bvh"), 2),
-        ),
+        caption,
         table: "fig1",
     })
 }

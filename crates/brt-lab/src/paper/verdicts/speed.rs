@@ -78,18 +78,24 @@ fn p2(bench: &Bench, subjects: &Subjects) -> Verdict {
         .chain([&subjects.torus])
         .map(|s| format!("kind-gain-exponent/{}", s.name))
         .collect();
+    let errors = bench.names("error-at-16/border-deviation/{}");
+    let growth = bench.findings.knows_any(&names).then(|| {
+        let power = bench.range(&names, 2);
+        format!(
+            "BRT's gain grows as N to the power {power} over balls, planes, mixed scenes and a smooth mesh, while its"
+        )
+    });
     Verdict {
         claim: "P2",
         says: "interpolation gains with resolution whatever the primitive; its weakness is quality",
         outcome: Outcome::of(&bench.tests(&names, |k| k >= GROWS)),
         figure: "kinds",
         why: format!(
-            "BRT's gain grows as N to the power {} over balls, planes, mixed scenes and a smooth mesh, while its pictures \
-             are off by {} levels in the mean.",
-            bench.range(&names, 2),
-            bench.range(&bench.names("error-at-16/border-deviation/{}"), 2)
+            "{} pictures are off by {} levels in the mean.",
+            growth.unwrap_or_else(|| "BRT's".to_owned()),
+            bench.range(&errors, 2)
         ),
-        numbers: [names, bench.names("error-at-16/border-deviation/{}")].concat(),
+        numbers: [names, errors].concat(),
     }
 }
 
@@ -115,7 +121,14 @@ fn p8(bench: &Bench) -> Verdict {
         .map(|family| of_family(bench, "family-gain-exponent", family))
         .concat();
     let gaining = flat.iter().filter(|n| bench.test(n, |k| k > FLAT) == Some(true)).count();
-    let known = flat.iter().any(|n| bench.findings.number(n).is_some());
+    let known = bench.findings.knows_any(&flat);
+    let times = bench.findings.knows_any(&full).then(|| {
+        let powers = [&full, &border].map(|names| bench.range(names, 2));
+        format!("RT's time grows as N to the power {}, BRT's to the power {}.", powers[0], powers[1])
+    });
+    let gains = known.then(|| {
+        format!("The gain of space divisions and hybrids grows as N to the power {}.", bench.range(&flat, 2))
+    });
     let parts = [
         bench.tests(&full, within(SQUARE)),
         bench.tests(&border, within(LINEAR)),
@@ -126,13 +139,7 @@ fn p8(bench: &Bench) -> Verdict {
         says: "RT's time grows as N², BRT's as N; space division and hybrids do not gain with N",
         outcome: Outcome::of(&parts.concat()),
         figure: "fig1",
-        why: format!(
-            "RT's time grows as N to the power {}, BRT's to the power {}; the gain of space divisions and hybrids to the \
-             power {}.",
-            bench.range(&full, 2),
-            bench.range(&border, 2),
-            bench.range(&flat, 2)
-        ),
+        why: times.into_iter().chain(gains).collect::<Vec<_>>().join(" "),
         numbers: [full, border, flat].concat(),
     }
 }
