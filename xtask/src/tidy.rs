@@ -64,6 +64,7 @@ const LAWS: [Law; 5] = [
 pub(crate) fn run(root: &Path) -> Result<()> {
     let mut broken = broken_laws(root)?;
     broken.extend(modules::broken(root)?);
+    broken.extend(dead_paths(root)?);
     ensure!(broken.is_empty(), "{}", broken.join("\n"));
     Ok(())
 }
@@ -85,6 +86,32 @@ fn broken_laws(root: &Path) -> Result<Vec<String>> {
         }
     }
     Ok(broken)
+}
+
+/// What documents say lies in the repository, and does not.
+fn dead_paths(root: &Path) -> Result<Vec<String>> {
+    const FOLDERS: [&str; 6] = ["crates/", "xtask/", "fuzz/", "docs/", "scenes/", "bench/"];
+    let mut documents: Vec<PathBuf> =
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"].iter().map(|name| root.join(name)).collect();
+    for folder in ["docs", "docs/notes", "docs/howto", "docs/paper"] {
+        for entry in fs::read_dir(root.join(folder)).with_context(|| format!("cannot read {folder}"))? {
+            documents.push(entry?.path());
+        }
+    }
+    let mut dead = Vec::new();
+    for document in documents.iter().filter(|path| path.extension().is_some_and(|e| e == "md")) {
+        let text = fs::read_to_string(document)?;
+        // What stands between backticks and has neither gaps nor wildcards.
+        let quoted = text.split('`').skip(1).step_by(2);
+        let is_path = |word: &&str| {
+            FOLDERS.iter().any(|folder| word.starts_with(folder))
+                && !word.contains([' ', '*', '<', '{', '\n'])
+        };
+        for path in quoted.filter(is_path).filter(|path| !root.join(path).exists()) {
+            dead.push(format!("{}: there is no `{path}`", document.display()));
+        }
+    }
+    Ok(dead)
 }
 
 /// Adds all Rust files of a folder and of those inside, but for what is built there.
@@ -120,12 +147,43 @@ impl Law {
 
 #[cfg(test)]
 mod tests {
+    use brt_formats::Format;
+
     use super::*;
 
     #[test]
     fn the_repository_is_tidy() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
         assert_eq!(broken_laws(root).unwrap(), Vec::<String>::new());
+    }
+
+    #[test]
+    fn documents_name_what_is_there() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        assert_eq!(dead_paths(root).unwrap(), Vec::<String>::new());
+    }
+
+    /// A format that is read is fuzzed, and named to those who read the guide.
+    #[test]
+    fn formats_are_fuzzed_and_in_the_guide() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let guide = fs::read_to_string(root.join("docs/guide.md")).unwrap().to_lowercase();
+        let first_column = |line: &str| line.split('|').nth(1).unwrap_or_default().to_owned();
+        let named: Vec<String> =
+            guide.lines().filter(|line| line.starts_with('|')).map(first_column).collect();
+        for format in Format::ALL.into_iter().filter(|format| format.reads()) {
+            let folder = format!("{format:?}").to_lowercase();
+            assert!(root.join(format!("crates/brt-formats/src/read/{folder}/mod.rs")).exists(), "{folder}");
+            assert!(
+                root.join(format!("fuzz/fuzz_targets/{folder}.rs")).exists(),
+                "{folder} has no fuzz target"
+            );
+            let is_named = |extension: &str| named.iter().any(|cell| cell.contains(extension));
+            assert!(
+                format.extensions().iter().any(|e| is_named(e)),
+                "the guide's table does not name {folder}"
+            );
+        }
     }
 
     #[test]

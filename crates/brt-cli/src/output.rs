@@ -26,7 +26,6 @@ pub(crate) fn bytes(bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// If it did not get there.
 pub(crate) fn printed(result: io::Result<()>) -> io::Result<()> {
-    check_open()?;
     match result.and_then(|()| io::stdout().lock().flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(io::Error::new(error.kind(), format!("cannot write standard output: {error}")))

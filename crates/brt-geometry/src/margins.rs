@@ -54,7 +54,7 @@ margins! {
     /// Round primitives: a hit is found from the point of the ray nearest to the centre or the axis, and the chord there; it is
     /// beside by some 8 ε·D. Flat ones: the distance to the plane rounds by some 8 ε·(D + S), and along the ray by that over the
     /// sine, which is at least [`LEAST_SINE`]: 8·2.2·10⁻¹⁶ / 4·10⁻⁷ = 4.4·10⁻⁹. Planes that faces share are off by up to
-    /// 1.6·10⁻⁷ S more. Together less than 10⁻⁶.
+    /// 2.5·10⁻⁷ S more. Together less than 10⁻⁶.
     pub BOX_MARGIN = 1e-6, safety 5000.0;
 
     /// Rays along a plane, closer to it than this (as a sine), do not meet what lies in it; nor do rays along the axis of a

@@ -109,6 +109,6 @@ margins! {
     pub(crate) KEY_ROUNDINGS = 64.0 * f64::EPSILON, safety 200.0;
 
     /// A scene whose middle is farther away than this many of its sizes is moved to the origin. Coordinates are then within half
-    /// a size of the middle, so between half and twice of it, and their difference is exact (Sterbenz 1974): from 1.5 sizes on.
-    pub(crate) FAR_FROM_ORIGIN = 4.0, safety 3.0;
+    /// a size of the middle, so between half and twice of it, and their difference is exact (Sterbenz 1974): from one size on.
+    pub(crate) FAR_FROM_ORIGIN = 4.0, safety 4.1;
 }

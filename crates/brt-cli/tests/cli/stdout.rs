@@ -54,18 +54,6 @@ fn a_reader_that_went_away_is_no_error() {
     }
 }
 
-#[test]
-fn a_closed_standard_output_is_an_error() {
-    let bench = bench();
-    for arguments in PRINTING {
-        let ended = run_in_shell(&bench, arguments, ">&-");
-        assert_eq!(ended.code, Some(1), "brt {arguments}");
-        let message = "error: cannot write standard output: it is closed\n";
-        assert!(ended.errors.starts_with(message), "brt {arguments}: {}", ended.errors);
-        assert_eq!(run_in_shell(&bench, arguments, ">/dev/null").code, Some(0), "brt {arguments}");
-    }
-}
-
 /// The command with a redirection.
 fn run_in_shell(bench: &Bench, arguments: &str, redirection: &str) -> Ended {
     let script = format!("exec \"$0\" {arguments} {redirection}");
