@@ -1,14 +1,10 @@
 //! Pictures in memory: their errors, and how they get into the page.
 
-use std::io::{self, Write};
-use std::sync::{Arc, Mutex};
-
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use brt::image::{DifferenceMeter, PlainSink, encoder, heat_color};
-use brt::{Comparison, Encoding, LayerRows, PictureSize, RayHistory, Rows, SampleState, Stats};
+use brt::image::{DifferenceMeter, heat_color};
+use brt::{Comparison, LayerRows, PictureSize, RayHistory, Rows, SampleState, Stats};
 
 use super::PaperError;
+use crate::embedded::png_address;
 
 /// A picture with the layers that were asked for; the others are empty.
 #[derive(Clone, Debug)]
@@ -115,30 +111,10 @@ pub(crate) fn image_element(
     shown: u32,
     text: &str,
 ) -> Result<String, PaperError> {
-    let bytes = Bytes::default();
     let size = PictureSize::new(width, colors.len() as u32 / width);
-    let mut png = encoder(Box::new(PlainSink(bytes.clone())), size, Encoding::default())?;
-    png.write(colors)?;
-    png.finish()?;
-    let text64 = bytes.0.lock().map(|bytes| STANDARD.encode(&*bytes)).unwrap_or_default();
+    let address = png_address(colors, size)?;
     let class = if shown > width { " class=\"magnified\"" } else { "" };
-    Ok(format!("<img{class} width=\"{shown}\" alt=\"{text}\" src=\"data:image/png;base64,{text64}\">"))
-}
-
-/// A file in memory.
-#[derive(Clone, Default)]
-struct Bytes(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Bytes {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let mut all = self.0.lock().map_err(|_| io::ErrorKind::Other)?;
-        all.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    Ok(format!("<img{class} width=\"{shown}\" alt=\"{text}\" src=\"{address}\">"))
 }
 
 #[cfg(test)]

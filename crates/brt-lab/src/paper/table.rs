@@ -1,7 +1,7 @@
 //! Tables: what an experiment measured, as it stands in its CSV file. Charts are drawn from them.
 #![expect(clippy::disallowed_methods, reason = "digits of measured numbers")]
 
-use std::fmt::Write;
+use crate::csv_text;
 
 /// A table with named columns.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -118,19 +118,10 @@ impl Table {
 
     /// The file.
     pub(crate) fn csv(&self) -> String {
-        let mut csv = self.columns.join(",");
-        csv.push('\n');
-        for row in &self.rows {
-            let cells: Vec<String> = row.iter().map(|cell| quoted(&cell.text())).collect();
-            let _ = writeln!(csv, "{}", cells.join(","));
-        }
-        csv
+        let columns = self.columns.iter().map(|&column| column.to_owned()).collect();
+        let rows = self.rows.iter().map(|row| row.iter().map(Cell::text).collect());
+        csv_text::lines(std::iter::once::<Vec<String>>(columns).chain(rows))
     }
-}
-
-fn quoted(text: &str) -> String {
-    let is_plain = !text.contains([',', '"', '\n']);
-    if is_plain { text.to_owned() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
 }
 
 /// A number to six significant digits, without an exponent.

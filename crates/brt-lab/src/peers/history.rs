@@ -4,12 +4,13 @@ use std::path::Path;
 use std::{fs, io};
 
 use brt::FileSet;
+use csv::{ReaderBuilder, StringRecord};
 
-use super::csv::{fields, quoted};
 use super::entrant::Program;
 use super::findings::{Findings, Row};
 use super::program::Peer;
 use super::{PeersError, write};
+use crate::csv_text;
 
 /// What the columns of the file are called.
 const COLUMNS: &str =
@@ -76,7 +77,7 @@ pub(super) fn append(files: &FileSet, path: &Path, records: &[Record]) -> Result
     if !text.ends_with('\n') {
         text.push('\n');
     }
-    text.extend(records.iter().map(line));
+    text.push_str(&csv_text::lines(records.iter().map(fields)));
     Ok(write(files, path.to_owned(), &text)?)
 }
 
@@ -87,37 +88,41 @@ fn text_of(path: &Path) -> Result<String, PeersError> {
     }
 }
 
-fn line(record: &Record) -> String {
+fn fields(record: &Record) -> [String; 11] {
     let ratio = |ratio: Option<f64>| ratio.map_or(String::new(), |ratio| format!("{ratio:.4}"));
-    let fields = [
-        quoted(&record.date),
-        quoted(&record.label),
-        quoted(&record.processor),
-        quoted(&record.scene),
+    [
+        record.date.clone(),
+        record.label.clone(),
+        record.processor.clone(),
+        record.scene.clone(),
         record.size[0].to_string(),
         record.size[1].to_string(),
         record.samples.to_string(),
-        quoted(&record.method),
+        record.method.clone(),
         format!("{:.3}", record.ns_per_pixel),
         ratio(record.ratios[0]),
         ratio(record.ratios[1]),
-    ];
-    fields.join(",") + "\n"
+    ]
 }
 
 /// The records, or the number of the first bad line and what is wrong with it.
 fn parse(text: &str) -> Result<Vec<Record>, (usize, String)> {
-    let mut lines = text.lines().zip(1..);
-    match lines.next() {
+    match text.lines().next() {
         None => return Ok(Vec::new()),
-        Some((COLUMNS, _)) => {}
+        Some(COLUMNS) => {}
         Some(_) => return Err((1, format!("not a history: expected the columns {COLUMNS}"))),
     }
-    lines.map(|(line, number)| parse_line(line).map_err(|problem| (number, problem))).collect()
+    let mut reader = ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
+    let read = |line: Result<StringRecord, csv::Error>| {
+        let line = line.map_err(|error| (0, error.to_string()))?;
+        let number = line.position().map_or(0, |position| position.line() as usize);
+        parse_line(&line).map_err(|problem| (number, problem))
+    };
+    reader.records().map(read).collect()
 }
 
-fn parse_line(line: &str) -> Result<Record, String> {
-    let fields = fields(line).ok_or("a quotation mark is out of place")?;
+fn parse_line(line: &StringRecord) -> Result<Record, String> {
+    let fields: Vec<String> = line.iter().map(str::to_owned).collect();
     let count = fields.len();
     let [date, label, processor, scene, width, height, samples, method, ns, ratios @ ..] = fields.as_slice()
     else {
@@ -204,13 +209,13 @@ pub(super) mod tests {
 
     #[test]
     fn a_bad_file_is_refused_with_its_line_and_left_as_it_is() {
-        let good = line(&two_runs()[0]);
+        let good = csv_text::lines([fields(&two_runs()[0])]);
         for (text, part) in [
             ("a,b\n".to_owned(), "line 1: not a history"),
-            (format!("{COLUMNS}\n{good}\n"), "line 3: 1 fields instead of 11"),
+            (format!("{COLUMNS}\n{good}a\n"), "line 3: 1 fields instead of 11"),
             (format!("{COLUMNS}\n{}", good.replace("32,32", "32,x")), "line 2: `x` is not a whole number"),
             (format!("{COLUMNS}\n{}", good.replace("100.000", "NaN")), "line 2: `NaN` is not a number"),
-            (format!("{COLUMNS}\n{}", good.replace("b\"", "b")), "line 2: a quotation mark is out of place"),
+            (format!("{COLUMNS}\n{}", good.replace("b\"", "b")), "line 2: 4 fields instead of 11"),
         ] {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("history.csv");

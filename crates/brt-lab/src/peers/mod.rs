@@ -6,7 +6,6 @@
 
 mod agreement;
 mod bench;
-mod csv;
 mod deviation;
 mod entrant;
 mod findings;

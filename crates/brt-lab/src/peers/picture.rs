@@ -1,13 +1,9 @@
 //! Pictures of a page: as small as they are shown, inside the page.
 
-use std::io::{self, Write};
-use std::sync::{Arc, Mutex};
+use brt::PictureSize;
+use brt::image::{EncodeError, Picture, heat_color};
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use brt::image::{EncodeError, Picture, PlainSink, encoder, heat_color};
-use brt::{Encoding, PictureSize};
-
+use crate::embedded::png_address;
 use crate::plot::escape;
 
 /// Greatest side on the page.
@@ -55,30 +51,7 @@ fn element(
             colors.push(color(&pixels));
         }
     }
-    let bytes = Bytes::default();
-    let mut png = encoder(Box::new(PlainSink(bytes.clone())), shown, Encoding::default())?;
-    png.write(&colors)?;
-    png.finish()?;
-    let data = bytes.0.lock().map(|bytes| STANDARD.encode(&*bytes)).unwrap_or_default();
+    let address = png_address(&colors, shown)?;
     let [width, height] = [shown.width, shown.height];
-    Ok(format!(
-        "<img width=\"{width}\" height=\"{height}\" alt=\"{}\" src=\"data:image/png;base64,{data}\">",
-        escape(text)
-    ))
-}
-
-/// A file in memory.
-#[derive(Clone, Default)]
-struct Bytes(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Bytes {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let mut all = self.0.lock().map_err(|_| io::ErrorKind::Other)?;
-        all.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    Ok(format!("<img width=\"{width}\" height=\"{height}\" alt=\"{}\" src=\"{address}\">", escape(text)))
 }

@@ -1,9 +1,9 @@
 //! The findings as text: a table for people, and a file for programs.
 
-use super::csv::quoted;
 use super::deviation::Amount;
 use super::entrant::Class;
 use super::findings::{Findings, Row};
+use crate::csv_text;
 
 /// What the columns of the file are called.
 pub(super) const COLUMNS: &str = "scene,width,height,entrant,class,runs,start_up_ms,ns_per_pixel,ns_per_pixel_min,\
@@ -12,16 +12,15 @@ pub(super) const COLUMNS: &str = "scene,width,height,entrant,class,runs,start_up
 
 /// The file.
 pub(super) fn csv(findings: &Findings) -> String {
-    let mut text = format!("{COLUMNS}\n");
-    for row in &findings.rows {
+    let fields = |row: &Row| {
         let [min, max] = row.range().map_or([None; 2], |range| range.map(Some));
         let number = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.6}"));
-        let fields = [
-            quoted(&row.scene),
+        [
+            row.scene.clone(),
             row.size[0].to_string(),
             row.size[1].to_string(),
-            quoted(row.entrant.name),
-            quoted(row.entrant.class.name()),
+            row.entrant.name.to_owned(),
+            row.entrant.class.name().to_owned(),
             row.ns_per_pixel.len().to_string(),
             number(Some(1e3 * row.start_up)),
             number(row.median()),
@@ -34,11 +33,9 @@ pub(super) fn csv(findings: &Findings) -> String {
             number(row.deviation.map(|d| d.linear.rms)),
             number(row.deviation.map(|d| d.srgb.mean)),
             number(row.deviation.map(|d| d.srgb.rms)),
-        ];
-        text.push_str(&fields.join(","));
-        text.push('\n');
-    }
-    text
+        ]
+    };
+    format!("{COLUMNS}\n{}", csv_text::lines(findings.rows.iter().map(fields)))
 }
 
 /// What a row shows to people: time, its range, ratios, errors.

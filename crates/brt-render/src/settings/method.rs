@@ -1,4 +1,4 @@
-//! Which samples are traced, and the settings of each method. Paper: P2, P6.
+//! Which samples are traced, and the settings of each method. Paper: P1, P2, P6.
 
 use super::{DeviationDelta, DifferenceDelta, Judge};
 
