@@ -17,6 +17,12 @@
 //! assert_eq!(parse(Format::Toml, write_toml(&scene).as_bytes(), &Limits::default()).unwrap().0, scene);
 //! ```
 
+// What only the formats use that are left out.
+#![cfg_attr(
+    not(all(feature = "gltf", feature = "ply", feature = "threemf")),
+    allow(dead_code, unused_imports)
+)]
+
 mod common;
 mod import;
 mod load;

@@ -157,6 +157,7 @@ fn with_path(error: ParseError, path: &Path, bytes: Vec<u8>) -> LoadError {
     let path = path.to_owned();
     match error {
         ParseError::OnlyWritten(format) => LoadError::OnlyWritten { path, format },
+        ParseError::LeftOut(format) => LoadError::LeftOut { path, format },
         ParseError::NotUtf8 { position } => LoadError::NotUtf8 { path, position },
         ParseError::Malformed(report) => {
             let text = text_for(&report, bytes);

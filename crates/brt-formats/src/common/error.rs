@@ -55,6 +55,14 @@ pub enum LoadError {
         /// Its format.
         format: Format,
     },
+    /// The file's format is one that this build leaves out.
+    #[error("{}: this build reads no {}", path.display(), format.name())]
+    LeftOut {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        format: Format,
+    },
     /// The file is not text in UTF-8, as its format demands.
     #[error("{}: not UTF-8 text from byte {position} on", path.display())]
     NotUtf8 {
@@ -96,6 +104,9 @@ pub enum ParseError {
     /// The format is written for other programs, but not read.
     #[error("a {} can be written, but not read", .0.name())]
     OnlyWritten(Format),
+    /// The feature of this crate that reads the format is off.
+    #[error("this build reads no {}", .0.name())]
+    LeftOut(Format),
     /// Not text in UTF-8, as the format demands.
     #[error("not UTF-8 text from byte {position} on")]
     NotUtf8 {

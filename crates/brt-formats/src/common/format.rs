@@ -60,6 +60,11 @@ formats! {
 }
 
 impl Format {
+    /// Is it for other programs, and no build reads it?
+    pub(crate) fn is_only_written(self) -> bool {
+        matches!(self, Self::Pov | Self::Dat)
+    }
+
     /// The format of this name, which is one of its extensions.
     pub fn from_name(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();

@@ -37,7 +37,7 @@ type ReadModel = for<'b> fn(&'b [u8], &mut Beside<'b>, &mut Draft<'b>) -> Result
 impl Importer {
     /// That of a format, if it is read.
     pub(crate) fn of(format: Format) -> Option<&'static Self> {
-        IMPORTERS.into_iter().find(|importer| importer.format == format)
+        IMPORTERS.iter().copied().find(|importer| importer.format == format)
     }
 }
 
@@ -66,7 +66,8 @@ pub(crate) fn read<'b>(
 ) -> Result<Imported, ParseError> {
     check_content(bytes)?;
     match Importer::of(format).map(|importer| &importer.reader) {
-        None => Err(ParseError::OnlyWritten(format)),
+        None if format.is_only_written() => Err(ParseError::OnlyWritten(format)),
+        None => Err(ParseError::LeftOut(format)),
         Some(FileReader::Scene { up, read }) => {
             let (scene, report) = read(bytes, beside, budget)?;
             Ok(Imported { scene, report, given: Given::everything(*up), files: Vec::new() })

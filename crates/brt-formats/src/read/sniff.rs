@@ -28,7 +28,7 @@ impl Format {
 /// The first format that content looks like most.
 fn likest(bytes: &[u8]) -> Option<(Format, Likeness)> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let all = IMPORTERS.into_iter().rev().map(|importer| (importer.format, (importer.sniff)(bytes)));
+    let all = IMPORTERS.iter().rev().map(|importer| (importer.format, (importer.sniff)(bytes)));
     all.filter(|(_, likeness)| *likeness > Likeness::None).max_by_key(|(_, likeness)| *likeness)
 }
 
