@@ -1,11 +1,11 @@
 //! Does the perspective image show what rays meet first?
 
 use anyhow::{Result, ensure};
+use brt_procedural as procedural;
 use brt_render::{
     Accelerator, BorderSettings, Layer, LayerRows, Method, PreparedCamera, Renderer, Run, SampleGrid,
     Samples, Settings,
 };
-use brt_scene::procedural;
 
 use crate::scenes::{SEED, fit, layer, open, render_whole, square};
 

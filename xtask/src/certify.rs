@@ -3,8 +3,9 @@
 use anyhow::{Result, ensure};
 use brt_formats::write_toml;
 use brt_image::Transfer;
+use brt_procedural as procedural;
 use brt_render::{CertifiedSettings, Method, Settings};
-use brt_scene::{Camera, Projection, Scene, procedural};
+use brt_scene::{Camera, Projection, Scene};
 use brt_testkit::{Random, scaled};
 
 use crate::scenes::{SEED, open, render_stored, render_whole};

@@ -5,8 +5,9 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use brt_formats::{Limits, load};
 use brt_image::Transfer;
+use brt_procedural as procedural;
 use brt_render::{KeptRows, Layer, LayerRows, RayOrder, Rows, Run, Settings, Stats, render};
-use brt_scene::{CheckedScene, Scene, procedural};
+use brt_scene::{CheckedScene, Scene};
 
 /// The seed scenes.
 pub(crate) const SEED: [&str; 3] = ["scenes/seed/a.toml", "scenes/seed/b.toml", "scenes/seed/c.toml"];

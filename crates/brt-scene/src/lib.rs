@@ -11,7 +11,6 @@ pub mod framing;
 mod light;
 mod material;
 mod object;
-pub mod procedural;
 mod report;
 mod texture;
 

@@ -1,8 +1,8 @@
 //! Scenes by name: the reconstructed seed scenes of the paper, and the procedural ones.
 
 use brt_formats::{Format, Limits, parse};
+use brt_procedural::{self as procedural, Procedural, SizeError};
 use brt_scene::Scene;
-use brt_scene::procedural::{self, Procedural, SizeError};
 use thiserror::Error;
 
 /// A scene that can be had by name.

@@ -2,7 +2,7 @@
 
 use crate::common::{EVERYTHING, NFF, good};
 use brt_formats::{Format, Limits, LoadError, OnlyRead, ParseError, Written, load, parse, write};
-use brt_scene::procedural;
+use brt_procedural as procedural;
 
 /// The smallest scene with a light, a material with everything but glass, and a sphere.
 const TINY: &str = r#"

@@ -1,11 +1,12 @@
 //! Certified ray tracing keeps its promise: every pixel within the tolerance, with the bits of full ray tracing at 0.
 
 use brt_image::Transfer;
+use brt_procedural as procedural;
 use brt_render::{
     BorderSettings, CertifiedSettings, CheckedPixels, Filter, Layer, Method, Run, SampleState, Samples,
     Settings, TileOrder,
 };
-use brt_scene::{Scene, procedural};
+use brt_scene::Scene;
 use brt_testkit::{
     AnyScene, Difference, Rendered, any_mesh_scene, any_scene, any_scene_of_slivers, any_scene_of_solids,
     render_stored_at_levels, render_with_layers, replay_hint, scaled, seed_scene, seeded, shifted,

@@ -2,8 +2,9 @@
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::{Rgb, Transfer, rgb};
+use brt_procedural as procedural;
 use brt_render::{Certificate, CertifiedSettings, CheckedPixels, Method, Run, Settings};
-use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape, procedural};
+use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
 use brt_testkit::{Rendered, looking, render_stored_at_every_level};
 
 fn certified(scene: &Scene) -> Rendered {

@@ -6,11 +6,12 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use brt_procedural as procedural;
 use brt_render::{
     BorderSettings, Certificate, CertifiedSettings, Method, PixelSelectedSettings, Run, Settings, Stats,
     Tries,
 };
-use brt_scene::{Scene, procedural};
+use brt_scene::Scene;
 use brt_testkit::{Golden, render_to_image, seed_scene};
 
 fn golden() -> Golden {

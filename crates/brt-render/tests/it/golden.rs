@@ -6,10 +6,11 @@
 use std::path::Path;
 
 use brt_image::Transfer;
+use brt_procedural as procedural;
 use brt_render::{
     BorderSettings, CertifiedSettings, Layer, LayerPainter, Method, Rows, Run, Settings, render,
 };
-use brt_scene::{Scene, procedural};
+use brt_scene::Scene;
 use brt_testkit::{Golden, all_shapes, checked, seed_scene};
 
 /// Holds the layers, in this order, and then the picture against golden images.

@@ -35,7 +35,7 @@ fn assert_same_picture(a: &Rendered, b: &Rendered, what: &str) {
 /// Nodes that rays visit tell trees apart; a mesh of so many triangles is prepared in several portions.
 #[test]
 fn a_scene_is_prepared_the_same_on_any_number_of_threads() {
-    let torus = brt_scene::procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
+    let torus = brt_procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
     let settings = Settings { method: Method::Full, ..Settings::new([160, 120]) };
     let on = |threads| render_with_layers(&torus, &settings, &Run { threads, ..Run::default() });
     let alone = on(1);
@@ -86,7 +86,7 @@ fn threads_change_no_byte_and_no_count_where_no_layer_is_asked_for() {
         Method::Border(BorderSettings::default()),
         Method::Certified(CertifiedSettings::default()),
     ];
-    let scenes = [all_shapes(), brt_scene::procedural::find("torus").unwrap().build(Some(1000)).unwrap()];
+    let scenes = [all_shapes(), brt_procedural::find("torus").unwrap().build(Some(1000)).unwrap()];
     for (scene, method) in scenes.iter().flat_map(|scene| methods.map(|method| (scene, method))) {
         let settings = Settings { method, samples: Samples::Four, ..Settings::new([150, 140]) };
         let with = |threads, order| {
@@ -271,7 +271,7 @@ fn layers_alone_cost_no_rays() {
 /// Whenever it comes: while outlines are painted, too, of which those that are left show nothing of sense.
 #[test]
 fn a_rendering_that_is_cancelled_ends_without_a_panic_whenever_that_is() {
-    let torus = checked(&brt_scene::procedural::find("torus").unwrap().build(Some(2000)).unwrap());
+    let torus = checked(&brt_procedural::find("torus").unwrap().build(Some(2000)).unwrap());
     let certified = Method::Certified(CertifiedSettings::default());
     let settings = Settings { method: certified, ..Settings::new([128, 128]) };
     let renderer = Renderer::new(torus);

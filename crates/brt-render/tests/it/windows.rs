@@ -207,7 +207,7 @@ fn progress_is_of_the_windows_rows() {
 /// A thread of a pool that waits for the threads that prepare a scene must not take up the next window meanwhile.
 #[test]
 fn windows_may_be_rendered_from_any_pool() {
-    let torus = brt_scene::procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
+    let torus = brt_procedural::find("torus").unwrap().build(Some(20_000)).unwrap();
     let torus = checked(&torus);
     let (done, ended) = std::sync::mpsc::channel();
     std::thread::spawn(move || {

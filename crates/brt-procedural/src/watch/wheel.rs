@@ -3,10 +3,10 @@
 use core::f64::consts::{PI, TAU};
 
 use brt_geometry::Vec3;
+use brt_scene::MaterialId;
 
 use super::outline::{angle_of, direction};
 use super::workshop::{Heights, Workshop};
-use crate::MaterialId;
 
 /// Pitch diameter per tooth; the same for all wheels of the movement.
 pub(super) const MODULE: f64 = 0.25;

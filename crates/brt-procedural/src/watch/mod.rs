@@ -16,8 +16,7 @@ mod workshop;
 
 use brt_geometry::vec3;
 use brt_image::rgb;
-
-use crate::{Camera, Light, Projection, Scene};
+use brt_scene::{Camera, Light, Projection, Scene};
 use metals::Metals;
 use train::Train;
 use workshop::Workshop;
@@ -65,7 +64,7 @@ fn stage() -> Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Shape;
+    use brt_scene::Shape;
 
     #[test]
     fn default_has_moderately_many_primitives() {

@@ -1,10 +1,10 @@
 //! A fractal mountain with a pyramid of four glass balls before it.
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{Scene, Shape};
 
 use super::{NO_SHINE, fill, glass, polygon, start};
-use crate::procedural::random::Random;
-use crate::{Scene, Shape};
+use crate::random::Random;
 
 /// The generator's seed; another one makes another mountain.
 const MOUNTAIN: u64 = 21;

@@ -3,10 +3,10 @@
 use core::f64::consts::TAU;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{MaterialId, Mesh, Scene, Shape};
 
 use super::metals::Metals;
 use super::outline::{Outline, direction};
-use crate::{MaterialId, Mesh, Scene, Shape};
 
 /// The scene under construction.
 pub(super) struct Workshop {

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use brt_geometry::{Vec3, vec3};
-
-use crate::{Scene, Shape};
+use brt_scene::{Scene, Shape};
 
 /// The scene with all points and lengths rounded; corners that were equal stay equal.
 pub(super) fn rounded(mut scene: Scene) -> Scene {

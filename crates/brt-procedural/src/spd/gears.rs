@@ -3,9 +3,9 @@
 use core::f64::consts::PI;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{Material, Scene};
 
 use super::{NO_SHINE, fill, glass, polygon, start};
-use crate::{Material, Scene};
 
 const TEETH: u32 = 36;
 /// Radius of the tips, a little less than 1 so that meshing gears do not touch, and of the roots.
@@ -86,7 +86,7 @@ fn gear(center: Vec3, turned: f64, radius: f64, thickness: f64) -> Vec<Vec<Vec3>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Shape;
+    use brt_scene::Shape;
 
     #[test]
     fn single_gear_is_that_of_the_database() {

@@ -20,8 +20,7 @@ pub(super) use tree::build as tree;
 
 use brt_geometry::Vec3;
 use brt_image::rgb;
-
-use crate::{Camera, Light, Material, Projection, Scene, Shape};
+use brt_scene::{Camera, Light, Material, Projection, Scene, Shape};
 
 /// An empty scene with what all databases share: the sky, 45° across, 512 × 512 pixels.
 fn start(eye: Vec3, look_at: Vec3, up: Vec3, lights: &[Vec3]) -> Scene {

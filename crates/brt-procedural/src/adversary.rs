@@ -2,9 +2,9 @@
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::rgb;
+use brt_scene::{Camera, Light, Material, Projection, Scene, Shape};
 
 use super::random::Random;
-use crate::{Camera, Light, Material, Projection, Scene, Shape};
 
 const EYE: Vec3 = vec3(0.0, 3.0, 9.0);
 const LOOK_AT: Vec3 = vec3(0.0, 1.6, -6.0);

@@ -1,8 +1,7 @@
 //! What the movement is made of.
 
 use brt_image::{Rgb, rgb};
-
-use crate::{Highlight, Material, MaterialId, Scene};
+use brt_scene::{Highlight, Material, MaterialId, Scene};
 
 /// The materials of the still life.
 #[derive(Clone, Copy)]

@@ -1,9 +1,9 @@
 //! A lying pyramid of clusters, each of six interlocking five-sided rings of cylinders and spheres.
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{Scene, Shape};
 
 use super::{NO_SHINE, fill, polygon, start};
-use crate::{Scene, Shape};
 
 /// Distance of a ring's corners from the middle of its cluster, and the radius of its rods.
 const REACH: f64 = 0.930995;

@@ -2,9 +2,9 @@
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::rgb;
+use brt_scene::{Camera, Light, Material, MaterialId, Projection, Scene, Shape};
 
 use super::random::Random;
-use crate::{Camera, Light, Material, MaterialId, Projection, Scene, Shape};
 
 const COLORS: [(&str, [f64; 3]); 6] = [
     ("brick", [0.75, 0.28, 0.2]),

@@ -3,10 +3,10 @@
 use core::f64::consts::PI;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{MaterialId, Mesh, Shape};
 
 use super::outline::direction;
 use super::workshop::{Heights, Workshop};
-use crate::{MaterialId, Mesh, Shape};
 
 impl Workshop {
     /// A screw with a slotted head that stands on a surface at height `z`.

@@ -3,13 +3,13 @@
 use core::f64::consts::TAU;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::Shape;
 
 use super::outline::{Outline, direction};
 use super::train::Train;
 use super::wheel::Wheel;
 use super::workshop::Workshop;
-use crate::Shape;
-use crate::procedural::random::Random;
+use crate::random::Random;
 
 /// Radius of the main plate.
 pub(super) const PLATE: f64 = 16.5;

@@ -3,13 +3,13 @@
 use core::f64::consts::TAU;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::Shape;
 
 use super::bridges::FLOOR;
 use super::outline::{Outline, direction};
 use super::train::Train;
 use super::wheel::{openings, towards};
 use super::workshop::Workshop;
-use crate::Shape;
 
 /// Where the balance turns.
 const AXIS: Vec3 = vec3(2.55, -6.34, 0.0);

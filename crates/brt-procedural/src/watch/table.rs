@@ -3,12 +3,12 @@
 use core::f64::consts::TAU;
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{Mesh, Shape};
 
 use super::bridges::PLATE;
 use super::outline::direction;
 use super::wheel::Wheel;
 use super::workshop::Workshop;
-use crate::{Mesh, Shape};
 
 impl Workshop {
     /// The dark mirror, and far behind it a wall with a soft glow.

@@ -2,8 +2,7 @@
 
 use brt_geometry::{Vec3, vec3};
 use brt_image::rgb;
-
-use crate::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
+use brt_scene::{Camera, Light, Material, Mesh, Projection, Scene, Shape};
 
 /// The torus, matte with a highlight.
 pub(super) fn matte(triangles: u32) -> Scene {

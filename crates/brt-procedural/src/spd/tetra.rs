@@ -1,9 +1,9 @@
 //! Sierpiński's tetrahedron: four half as large in its corners, and so on.
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{MaterialId, Scene};
 
 use super::{NO_SHINE, fill, polygon, start};
-use crate::{MaterialId, Scene};
 
 /// 4^`depth` triangles: the smallest tetrahedra have four each.
 pub(crate) fn build(depth: u32) -> Scene {
@@ -39,7 +39,7 @@ mod tests {
     use brt_geometry::polygon_plane;
 
     use super::*;
-    use crate::Shape;
+    use brt_scene::Shape;
 
     #[test]
     fn first_triangle_is_that_of_the_database() {

@@ -10,9 +10,8 @@ mod spd;
 mod torus;
 mod watch;
 
+use brt_scene::Scene;
 use thiserror::Error;
-
-use crate::Scene;
 
 /// A scene that a program builds.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,9 @@
 //! Sphereflake: on each sphere sit nine of a third of its radius, where its neighbours in the densest packing would.
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{MaterialId, Scene, Shape};
 
 use super::{NO_SHINE, fill, polygon, start};
-use crate::{MaterialId, Scene, Shape};
 
 /// Spheres down to `depth` levels below the first, over a floor.
 pub(crate) fn build(depth: u32) -> Scene {

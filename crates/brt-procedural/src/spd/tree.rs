@@ -1,9 +1,9 @@
 //! A tree of cones with spheres at their joints; every branch ends in two.
 
 use brt_geometry::{Vec3, vec3};
+use brt_scene::{MaterialId, Scene, Shape};
 
 use super::{NO_SHINE, fill, polygon, start};
-use crate::{MaterialId, Scene, Shape};
 
 /// How a branch leaves its parent: turned about the parent's axis, tilted away from it, shorter than it.
 struct Fork {
