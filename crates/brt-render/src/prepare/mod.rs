@@ -21,7 +21,7 @@ use crate::settings::Accelerator;
 pub(crate) use coincident::keys_for_tests;
 use coincident::{contacts, duplicates, layered, share_carriers};
 use flatten::Flattened;
-use origin::origin_of;
+use origin::{of_box, origin_of};
 
 /// So few bounded primitives are tested faster than a tree over them is entered.
 const FEW: usize = 3;
@@ -32,12 +32,7 @@ pub(crate) fn prepare(
     accelerator: Accelerator,
     cancel: Cancel,
 ) -> Option<PreparedScene> {
-    let origin = origin_of(scene);
-    let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
-    let mut flat = Flattened::of(scene, origin, &materials, cancel);
-    cancel.go_on()?;
-    let bounds = flat.primitives.iter().filter_map(Primitive::bounds).reduce(Aabb::union);
-    let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
+    let Placed { origin, bounds, materials, mut flat } = placed(scene, cancel)?;
     let mut carriers = share_carriers(&mut flat.primitives, &bounds, origin, cancel);
     cancel.go_on()?;
     flat.remove(&duplicates(&flat.primitives, &flat.infos, &carriers, &materials), &mut carriers);
@@ -88,6 +83,37 @@ pub(crate) fn prepare(
         colors,
         texcoords,
     })
+}
+
+/// The primitives of a scene near the origin, wherever it is.
+struct Placed {
+    /// The point of the scene that is there.
+    origin: Vec3,
+    /// Around all that have a box.
+    bounds: Aabb,
+    materials: Vec<PreparedMaterial>,
+    flat: Flattened,
+}
+
+fn placed(scene: &CheckedScene, cancel: Cancel) -> Option<Placed> {
+    /// The first move is to the objects, the second to the primitives, and the third forgives the rounding of the second.
+    const MOVES: u32 = 3;
+    let mut origin = origin_of(scene);
+    for moves in 1.. {
+        let materials: Vec<_> = scene.materials.iter().map(|m| prepare_material(m, origin)).collect();
+        let flat = Flattened::of(scene, origin, &materials, cancel);
+        cancel.go_on()?;
+        let bounds = flat.primitives.iter().filter_map(Primitive::bounds).reduce(Aabb::union);
+        let bounds = bounds.unwrap_or(Aabb::around(Vec3::ZERO, Vec3::ZERO));
+        // Points of no face, and faces without an area, count for the boxes of objects and not for those of primitives.
+        let beside = of_box([bounds.lo, bounds.hi]);
+        let moved = origin + beside;
+        if moved == origin || moves == MOVES {
+            return Some(Placed { origin, bounds, materials, flat });
+        }
+        origin = moved;
+    }
+    None
 }
 
 /// May anything look darker than black? Files may ask for it.

@@ -13,7 +13,11 @@ use crate::margins::FAR_FROM_ORIGIN;
 /// near.
 pub(super) fn origin_of(scene: &Scene) -> Vec3 {
     let boxes = scene.objects.iter().filter_map(Object::bounds);
-    let Some([lo, hi]) = boxes.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]) else { return Vec3::ZERO };
+    boxes.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]).map_or(Vec3::ZERO, of_box)
+}
+
+/// The same of what has these for the corners of its box.
+pub(super) fn of_box([lo, hi]: [Vec3; 2]) -> Vec3 {
     let size = hi - lo;
     let size = size.x.max(size.y).max(size.z);
     let mut origin = lo * 0.5 + hi * 0.5;

@@ -4,7 +4,7 @@
 use brt_geometry::{Vec3, vec3};
 use brt_image::rgb;
 use brt_render::{Accelerator, CertifiedSettings, Method, Run, Settings};
-use brt_scene::{Light, Material, MaterialId, Scene, Shape};
+use brt_scene::{Camera, Light, Material, MaterialId, Mesh, Scene, Shape};
 use brt_testkit::{looking, render_with_layers, shifted};
 
 const ACCELERATORS: [Accelerator; 4] =
@@ -195,4 +195,41 @@ fn what_is_smaller_than_rounding_is_not_met_all_over_its_plane() {
         scene.add(Shape::Sphere { center: vec3(1e3, f64::from(i) * 1e3, 0.0), radius: 1e-3 }, glow);
     }
     assert_eq!(white(&agreed(&scene, "polygons below rounding")), 0);
+}
+
+/// A face that is too thin to be one makes an object large, and is not seen: a scene is where its primitives are.
+#[test]
+fn what_is_no_face_does_not_keep_a_scene_far_from_the_origin() {
+    let at = vec3(9_176_146_651_508.0, -3_856_638_394_476.0, 961_599_149_478.0);
+    let eye = at + vec3(1.559, -0.7207, -0.5532);
+    let camera =
+        Camera { eye, look_at: at + vec3(-0.348, -0.0825, 0.5231), ..looking([0.0; 3], [1.0; 3], 1.981) };
+    let mut scene = Scene::new(camera);
+    let light = scene.add_material(Material::matte("light", rgb(0.9, 0.9, 0.9)));
+    let dark = scene.add_material(Material::matte("dark", rgb(0.1, 0.1, 0.1)));
+    let mesh = |corners: &[Vec3], triangles: &[[u32; 3]]| {
+        let positions = corners.iter().map(|&p| at + p).collect();
+        Shape::from(Mesh { positions, triangles: triangles.to_vec(), ..Mesh::default() })
+    };
+    let quad = [
+        vec3(0.48, -0.1206, 1.2435),
+        vec3(0.48, -0.341, 0.1572),
+        vec3(-0.604, -0.1094, 0.1104),
+        vec3(-0.604, 0.111, 1.1967),
+    ];
+    scene.add(mesh(&quad, &[[0, 1, 2], [0, 2, 3]]), light);
+    let far = vec3(-0.94, -6.1e12, -0.5034);
+    let thin = [vec3(0.715, -0.176, 1.2273), vec3(0.715, -0.512, -0.4318), far];
+    scene.add(mesh(&thin, &[[0, 1, 2]]), light);
+    let outline = [
+        vec3(0.203, -0.1157, 0.963),
+        vec3(0.203, -0.464, -0.755),
+        vec3(-1.51, -0.098, -0.8292),
+        vec3(-1.51, 0.25, 0.8888),
+    ];
+    let outline = outline.map(|p| at + p).to_vec();
+    scene.add(Shape::Polygon { outline, holes: Vec::new() }, dark);
+    let with_all = agreed(&scene, "with a thin face");
+    scene.objects.remove(1);
+    assert_eq!(differing(&with_all, &agreed(&scene, "without")), 0);
 }
