@@ -445,3 +445,26 @@ fn a_light_that_lies_in_a_face_is_not_hidden_by_it() {
     let off = differing_by(2.0, &just_under, &in_the_ceiling);
     assert!(off < 20, "{off} pixels");
 }
+
+/// Planes have no box that could say how large the scene is.
+#[test]
+fn planes_alone_and_far_away_are_one() {
+    for (distance, with_ball) in [(6.1, false), (6.1e9, false), (6.1e9, true)] {
+        let mut scene = Scene::new(looking([0.0, 0.0, 0.0], [1.0, 2.0, 3.0], 40.0));
+        let white = scene.add_material(Material::matte("white", rgb(0.9, 0.9, 0.9)));
+        for scale in [1.0, 3.0, 7.0, -0.3] {
+            let (normal, distance) = (vec3(1.0, 2.0, 3.0) * scale, distance * scale);
+            scene.add(Shape::Plane { normal, distance }, white);
+        }
+        if with_ball {
+            scene.add(Shape::Sphere { center: vec3(0.0, 0.0, -9.0), radius: 1.0 }, white);
+        }
+        let renderer = Renderer::new(checked(&scene));
+        let prepared = renderer.prepared(Accelerator::Bvh, &Run::default()).unwrap();
+        assert!(
+            prepared.primitive_count() <= 2 + usize::from(with_ball),
+            "{distance}: {}",
+            prepared.primitive_count()
+        );
+    }
+}

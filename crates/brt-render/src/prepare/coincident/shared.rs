@@ -224,7 +224,8 @@ fn on_plane(plane: &Plane, primitive: &Primitive, rounding: Rounding) -> Option<
             })
         }
         Primitive::Plane(own) => {
-            let error = rounding.of(own.distance.abs());
+            // It has no size, and nothing bounds it.
+            let error = Rounding::here(own.distance.abs() + rounding.offset);
             let is_same = tilt <= CARRIER_ROUNDINGS && is_close(own.distance, turn * plane.distance, error);
             is_same.then(|| Primitive::Plane(Plane::new(plane.normal * turn, plane.distance * turn)))
         }
